@@ -1,0 +1,149 @@
+"""Metres, cells, tiles and sectors: the only place with that arithmetic.
+
+Samples sit **at vertices**: N samples span N - 1 intervals. Sample (0, 0) is the south-west one and stands at world
+(0, 0); x runs east along columns, y north along rows, both in metres. Row 0 is south in memory.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from .errors import BadInput
+
+TILE = 128  # cells a side: the unit of undo, sparsity and revision
+SECTOR = 1024  # cells a side: the unit of files
+MAX_SIDE = 16385
+
+
+class Rect(NamedTuple):
+    """A half-open rectangle of cells: rows row0..row1 - 1, columns col0..col1 - 1."""
+
+    row0: int
+    col0: int
+    row1: int
+    col1: int
+
+    @property
+    def slices(self) -> tuple[slice, slice]:
+        return slice(self.row0, self.row1), slice(self.col0, self.col1)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        return max(self.row1 - self.row0, 0), max(self.col1 - self.col0, 0)
+
+    @property
+    def empty(self) -> bool:
+        return self.row1 <= self.row0 or self.col1 <= self.col0
+
+    @property
+    def cells(self) -> int:
+        rows, cols = self.shape
+        return rows * cols
+
+    def union(self, other: Rect) -> Rect:
+        if self.empty:
+            return other
+        if other.empty:
+            return self
+        return Rect(
+            min(self.row0, other.row0),
+            min(self.col0, other.col0),
+            max(self.row1, other.row1),
+            max(self.col1, other.col1),
+        )
+
+    def intersect(self, other: Rect) -> Rect:
+        return Rect(
+            max(self.row0, other.row0),
+            max(self.col0, other.col0),
+            min(self.row1, other.row1),
+            min(self.col1, other.col1),
+        )
+
+    def pad(self, cells: int) -> Rect:
+        return Rect(self.row0 - cells, self.col0 - cells, self.row1 + cells, self.col1 + cells)
+
+
+@dataclass(frozen=True)
+class Grid:
+    """A rectangle of square cells: `rows` × `cols` samples, `cell_m` metres apart."""
+
+    rows: int
+    cols: int
+    cell_m: float = 1.0
+
+    def __post_init__(self) -> None:
+        if not (2 <= self.rows <= MAX_SIDE and 2 <= self.cols <= MAX_SIDE):
+            raise BadInput(f"a level of {self.cols} × {self.rows} samples is outside 2 to {MAX_SIDE} a side")
+        if not (math.isfinite(self.cell_m) and 0.001 <= self.cell_m <= 100_000):
+            raise BadInput(f"a cell of {self.cell_m} m is outside 0.001 to 100000 m")
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        return self.rows, self.cols
+
+    @property
+    def extent_m(self) -> tuple[float, float]:
+        """Metres (east, north) from the first to the last sample."""
+        return (self.cols - 1) * self.cell_m, (self.rows - 1) * self.cell_m
+
+    @property
+    def rect(self) -> Rect:
+        return Rect(0, 0, self.rows, self.cols)
+
+    @property
+    def tile_shape(self) -> tuple[int, int]:
+        return -(-self.rows // TILE), -(-self.cols // TILE)
+
+    def clip(self, rect: Rect) -> Rect:
+        return rect.intersect(self.rect)
+
+    def to_cells(self, x_m, y_m):
+        """Fractional (row, column) of a world point; works on arrays."""
+        return y_m / self.cell_m, x_m / self.cell_m
+
+    def to_metres(self, row, col):
+        """World (x, y) of a (row, column); works on arrays."""
+        return col * self.cell_m, row * self.cell_m
+
+    def rect_around(self, x_m: float, y_m: float, radius_m: float) -> Rect:
+        """The cells a disc can touch, clipped to the level (empty when the disc misses it)."""
+        row, col = self.to_cells(x_m, y_m)
+        reach = radius_m / self.cell_m
+        return self.clip(
+            Rect(
+                math.ceil(row - reach), math.ceil(col - reach), math.floor(row + reach) + 1, math.floor(col + reach) + 1
+            )
+        )
+
+    def tiles(self, rect: Rect) -> Iterator[tuple[int, int]]:
+        """(tile row, tile column) of every tile that `rect` touches."""
+        rect = self.clip(rect)
+        if rect.empty:
+            return
+        for tile_row in range(rect.row0 // TILE, (rect.row1 - 1) // TILE + 1):
+            for tile_col in range(rect.col0 // TILE, (rect.col1 - 1) // TILE + 1):
+                yield tile_row, tile_col
+
+    def tile_rect(self, tile: tuple[int, int]) -> Rect:
+        return self.clip(Rect(tile[0] * TILE, tile[1] * TILE, (tile[0] + 1) * TILE, (tile[1] + 1) * TILE))
+
+    @property
+    def sector_shape(self) -> tuple[int, int]:
+        """Sectors (rows, columns); the last of each takes the closing row or column too."""
+        return max((self.rows - 2) // SECTOR, 0) + 1, max((self.cols - 2) // SECTOR, 0) + 1
+
+    def sector_rect(self, sector: tuple[int, int]) -> Rect:
+        sector_rows, sector_cols = self.sector_shape
+        row1 = self.rows if sector[0] == sector_rows - 1 else (sector[0] + 1) * SECTOR
+        col1 = self.cols if sector[1] == sector_cols - 1 else (sector[1] + 1) * SECTOR
+        return Rect(sector[0] * SECTOR, sector[1] * SECTOR, row1, col1)
+
+    def sectors(self) -> Iterator[tuple[int, int]]:
+        sector_rows, sector_cols = self.sector_shape
+        for sector_row in range(sector_rows):
+            for sector_col in range(sector_cols):
+                yield sector_row, sector_col

@@ -1,0 +1,298 @@
+"""Undo and redo of everything (T08): a step is a list of atoms that swap with the level.
+
+Tiles are saved before their first write, only what differs is kept, compressed; settings and objects are kept as the
+frozen models they are; whole grids (import, resize, crop) go to the spill store at once. The budget is in bytes: past
+it the oldest steps go to the store, and when there is none, away.
+"""
+
+from __future__ import annotations
+
+import pickle
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from typing import Protocol
+
+import numpy as np
+import zstandard
+
+from .grid import Rect
+from .layers import LayerData
+from .level import Level
+
+
+class Store(Protocol):
+    """Where steps past the budget go; the app hands one in, `level` opens no file."""
+
+    def put(self, key: str, data: bytes) -> None: ...
+    def get(self, key: str) -> bytes: ...
+    def drop(self, key: str) -> None: ...
+
+
+def pack(values: np.ndarray) -> bytes:
+    """Float32 samples compressed without loss: rows as differences of their bits, byte planes apart, then zstd."""
+    bits = np.ascontiguousarray(values, np.float32).view(np.uint32).reshape(values.shape[0], -1)
+    delta = bits.copy()
+    delta[:, 1:] -= bits[:, :-1]
+    planes = np.ascontiguousarray(delta.view(np.uint8).reshape(-1, 4).T)
+    return zstandard.compress(planes.tobytes(), 1)
+
+
+def unpack(data: bytes, shape: tuple[int, ...]) -> np.ndarray:
+    """The inverse of `pack`."""
+    planes = np.frombuffer(zstandard.decompress(data), np.uint8).reshape(4, -1)
+    delta = np.ascontiguousarray(planes.T).view(np.uint32).reshape(shape[0], -1)
+    return np.cumsum(delta, axis=1, dtype=np.uint32).view(np.float32).reshape(shape)
+
+
+@dataclass
+class Tiles:
+    """An atom: what the other side of the swap holds for some tiles of a layer (None = never written)."""
+
+    layer: str
+    held: dict[tuple[int, int], bytes | None]
+    rect: Rect
+
+    @property
+    def bytes(self) -> int:
+        return sum(64 + len(data or b"") for data in self.held.values())
+
+    def swap(self, level: Level) -> None:
+        data = level.layers[self.layer]
+        for tile, packed in self.held.items():
+            now = data.tile(tile)
+            shape = data.grid.tile_rect(tile).shape + data.shape[2:]
+            data.put_tile(tile, None if packed is None else unpack(packed, shape))
+            self.held[tile] = None if now is None else pack(now)
+        level.mark(self.layer, self.rect)
+
+
+@dataclass
+class Value:
+    """An atom: the whole settings model as it was (frozen, so holding it costs a reference)."""
+
+    settings: object
+    path: str = ""
+    bytes: int = 512
+
+    def swap(self, level: Level) -> None:
+        now = level.settings
+        level.set_settings(self.settings)
+        self.settings = now
+
+
+@dataclass
+class Thing:
+    """An atom: one object as it was; None = absent."""
+
+    name: str
+    thing: object | None
+    bytes: int = 512
+
+    def swap(self, level: Level) -> None:
+        now = level.objects.get(self.name)
+        level.put_object(self.name, self.thing)
+        self.thing = now
+
+
+@dataclass
+class Whole:
+    """An atom: grid, base, every written tile and the georeference, for import, resize and crop."""
+
+    state: bytes
+
+    @property
+    def bytes(self) -> int:
+        return len(self.state)
+
+    def swap(self, level: Level) -> None:
+        now = whole_state(level)
+        restore_whole(level, self.state)
+        self.state = now
+
+
+def whole_state(level: Level) -> bytes:
+    """Everything that a change of grid replaces, as bytes."""
+    tiles = {
+        name: {tile: data.tile(tile) for tile in map(tuple, np.argwhere(data.written))}
+        for name, data in level.layers.items()
+    }
+    state = (level.grid, level.layers["height"].base, tiles, level.georeference)
+    return zstandard.compress(pickle.dumps(state, protocol=5), 1)
+
+
+def restore_whole(level: Level, state: bytes) -> None:
+    grid, base, tiles, level.georeference = pickle.loads(zstandard.decompress(state))
+    level.reset(grid, base)
+    for name, held in tiles.items():
+        for tile, values in held.items():
+            level.layers[name].put_tile(tile, values)
+
+
+@dataclass
+class Step:
+    """A labelled list of atoms; while open it also holds the snapshots of tiles being written."""
+
+    label: str
+    merge_key: str = ""
+    atoms: list = field(default_factory=list)
+    snapshots: dict[str, dict[tuple[int, int], tuple]] = field(default_factory=dict)
+    rects: dict[str, Rect] = field(default_factory=dict)
+    spilled: str = ""
+    spilled_bytes: int = 0
+
+    @property
+    def bytes(self) -> int:
+        return sum(atom.bytes for atom in self.atoms)
+
+    def save(self, data: LayerData, rect: Rect) -> None:
+        """Keep every tile of a layer that `rect` touches, before its first write in this step."""
+        kept = self.snapshots.setdefault(data.row.name, {})
+        for tile in data.grid.tiles(rect):
+            if tile not in kept:
+                kept[tile] = data.snapshot(tile)
+        self.rects[data.row.name] = self.rects.get(data.row.name, Rect(0, 0, 0, 0)).union(rect)
+
+
+class Journal:
+    """The steps of one level. `store` takes what the byte budget no longer holds."""
+
+    def __init__(self, level: Level, budget_bytes: int = 256 << 20, store: Store | None = None) -> None:
+        self.level = level
+        self.budget_bytes = budget_bytes
+        self.store = store
+        self.done: list[Step] = []
+        self.undone: list[Step] = []
+        self.open: Step | None = None
+        self._keys = 0
+
+    # A step: begin, save what will be written, commit or abort
+
+    @contextmanager
+    def step(self, label: str, merge_key: str = "") -> Iterator[Step]:
+        """A transaction: committed at the end, rolled back when the body raises."""
+        step = self.begin(label, merge_key)
+        try:
+            yield step
+        except BaseException:
+            self.abort()
+            raise
+        self.commit()
+
+    def begin(self, label: str, merge_key: str = "") -> Step:
+        """Open a step; an open one is committed first."""
+        if self.open:
+            self.commit()
+        self.open = Step(label, merge_key)
+        return self.open
+
+    def commit(self) -> Step | None:
+        """Settle what was written and keep the step; returns None when nothing changed."""
+        step, self.open = self.open, None
+        if step is None:
+            return None
+        for name, kept in step.snapshots.items():
+            data = self.level.layers[name]
+            for tile, snapshot in kept.items():
+                data.settle(tile, snapshot)
+            held = {tile: None if old is None else pack(old) for tile, (old, _) in kept.items()}
+            step.atoms.append(Tiles(name, held, step.rects[name]))
+            self.level.mark(name, step.rects[name])
+        step.snapshots.clear()
+        if not step.atoms:
+            return None
+        self.undone.clear()
+        if step.merge_key and self.done and self.done[-1].merge_key == step.merge_key:
+            return self.done[-1]  # the older step already holds the value to go back to
+        self.done.append(step)
+        self._keep_budget()
+        return step
+
+    def abort(self) -> None:
+        """Leave no trace of the open step."""
+        step, self.open = self.open, None
+        if step is None:
+            return
+        for name, kept in step.snapshots.items():
+            data = self.level.layers[name]
+            for tile, snapshot in kept.items():
+                data.restore(tile, snapshot)
+            self.level.mark(name, step.rects[name])
+        for atom in reversed(step.atoms):
+            atom.swap(self.level)
+
+    def seal(self) -> None:
+        """End merging: the next change of the same slider is a step of its own."""
+        if self.done:
+            self.done[-1].merge_key = ""
+
+    # What a step can hold besides tiles
+
+    def set(self, path: str, value: object, merge: bool = False) -> None:
+        """Change a setting as a step; `merge` joins it to a running drag of the same slider."""
+        with self.step(f"Set {path}", path if merge else "") as step:
+            step.atoms.append(Value(self.level.settings, path))
+            self.level.set(path, value)
+
+    def put(self, name: str, thing: object | None) -> None:
+        """Place, change or remove an object as a step."""
+        with self.step(f"{'Remove' if thing is None else 'Place'} {name}") as step:
+            step.atoms.append(Thing(name, self.level.objects.get(name)))
+            self.level.put_object(name, thing)
+
+    def whole(self, step: Step) -> None:
+        """Keep the whole grid in an open step, before an import, resize or crop."""
+        step.atoms.append(Whole(whole_state(self.level)))
+
+    # Undo
+
+    def undo(self) -> str | None:
+        """Go back one step; returns its label, None when there is none. An open stroke is aborted first."""
+        if self.open:
+            label = self.open.label
+            self.abort()
+            return label
+        return self._move(self.done, self.undone)
+
+    def redo(self) -> str | None:
+        return None if self.open else self._move(self.undone, self.done)
+
+    def _move(self, source: list[Step], target: list[Step]) -> str | None:
+        if not source:
+            return None
+        step = source.pop()
+        self._fetch(step)
+        for atom in reversed(step.atoms):
+            atom.swap(self.level)
+        step.atoms.reverse()
+        step.merge_key = ""
+        target.append(step)
+        return step.label
+
+    @property
+    def bytes(self) -> int:
+        return sum(step.bytes for step in self.done) + sum(step.bytes for step in self.undone)
+
+    def _keep_budget(self) -> None:
+        over = self.bytes - self.budget_bytes
+        oldest = [step for step in self.done[:-1] if not step.spilled]
+        for step in oldest:
+            if over <= 0:
+                return
+            over -= step.bytes
+            self._spill(step)
+
+    def _spill(self, step: Step) -> None:
+        if self.store is None:
+            self.done.remove(step)
+            return
+        self._keys += 1
+        step.spilled, step.spilled_bytes = f"step{self._keys}", step.bytes
+        self.store.put(step.spilled, pickle.dumps(step.atoms, protocol=5))
+        step.atoms = []
+
+    def _fetch(self, step: Step) -> None:
+        if step.spilled:
+            step.atoms = pickle.loads(self.store.get(step.spilled))
+            self.store.drop(step.spilled)
+            step.spilled = ""

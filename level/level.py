@@ -1,0 +1,141 @@
+"""A level: its grid, layers, objects and settings, and what changed since when.
+
+CPU arrays are the truth. Every change bumps `revision`; readers such as the renderer ask `changed_since` for the
+rectangles newer than what they hold, so nobody is told and nobody is forgotten.
+"""
+
+from __future__ import annotations
+
+from collections import deque
+from collections.abc import Iterable
+
+import numpy as np
+
+from .errors import BadInput
+from .grid import Grid, Rect
+from .layers import LAYERS, WEATHER_GRID, HeightData, LayerData
+from .objects import Camera
+from .params import replace
+from .settings import Settings
+
+
+class Level:
+    """A coast: `base` is float32 `(rows, cols)` metres, row 0 south."""
+
+    def __init__(self, grid: Grid, base: np.ndarray, settings: Settings | None = None, georeference: dict | None = None):
+        self.settings = settings or Settings()
+        self.objects: dict[str, object] = {}
+        self.georeference = georeference or {}
+        self.revision = 0
+        self.settings_revision = 0
+        self.objects_revision = 0
+        self.derived: dict = {}  # caches of what follows from the level, keyed by their owners
+        self.reset(grid, base)
+
+    def reset(self, grid: Grid, base: np.ndarray) -> None:
+        """Take another grid and base; all layers become neutral (import, resize and crop refill them)."""
+        if base.shape != grid.shape:
+            raise BadInput(f"a height map of {base.shape} does not fit a grid of {grid.shape}")
+        self.grid = grid
+        self.layers: dict[str, LayerData] = {}
+        for name, row in LAYERS.items():
+            own = WEATHER_GRID if row.grid == "weather" else grid
+            self.layers[name] = HeightData(row, own, base) if name == "height" else LayerData(row, own)
+        self._log: dict[str, deque] = {name: deque(maxlen=256) for name in LAYERS}
+        self._forgotten = dict.fromkeys(LAYERS, 0)  # changes up to this revision are no longer in the log
+        self.derived.clear()
+        for name in LAYERS:
+            self.mark(name, self.layers[name].grid.rect)
+
+    # What is read all the time
+
+    @property
+    def height(self) -> np.ndarray:
+        """The ground, float32 `(rows, cols)` metres; read it, write through a stroke or `write`."""
+        return self.layers["height"].read(self.grid.rect)
+
+    @property
+    def sea_level_m(self) -> float:
+        return self.settings.level.sea_level_m
+
+    def camera(self, name: str) -> Camera:
+        camera = self.objects.get(name)
+        if not isinstance(camera, Camera):
+            known = ", ".join(sorted(o.id for o in self.objects.values() if isinstance(o, Camera))) or "none"
+            raise BadInput(f"this level has no camera {name!r}; it has: {known}")
+        return camera
+
+    # Changes
+
+    def mark(self, layer: str, rect: Rect) -> None:
+        """Note that the samples of a layer in `rect` changed."""
+        rect = self.layers[layer].grid.clip(rect)
+        if rect.empty:
+            return
+        self.revision += 1
+        log = self._log[layer]
+        if len(log) == log.maxlen:
+            self._forgotten[layer] = log[0][0]
+        log.append((self.revision, rect))
+
+    def changed_since(self, layer: str, revision: int) -> list[Rect]:
+        """Rectangles of a layer that changed after `revision`, merged where they overlap; [] when none did."""
+        if revision < self._forgotten[layer]:
+            return [self.layers[layer].grid.rect]
+        return merge(rect for at, rect in self._log[layer] if at > revision)
+
+    def layer_revision(self, layer: str) -> int:
+        """The revision at which a layer last changed."""
+        log = self._log[layer]
+        return log[-1][0] if log else self._forgotten[layer]
+
+    def set_settings(self, settings: Settings) -> None:
+        self.settings = settings
+        self.revision += 1
+        self.settings_revision = self.revision
+
+    def set(self, path: str, value: object) -> None:
+        """Change one setting without an undo step (the session wraps it in one); BadInput out of range."""
+        self.set_settings(replace(self.settings, path, value))
+
+    def put_object(self, name: str, thing: object | None) -> None:
+        """Place, replace or (None) remove an object."""
+        if thing is None:
+            self.objects.pop(name, None)
+        else:
+            self.objects[name] = thing
+        self.revision += 1
+        self.objects_revision = self.revision
+
+    def write(self, layer: str, rect: Rect, values: np.ndarray) -> None:
+        """Overwrite samples outside any stroke: scripts, generators, importers. No undo step.
+
+        `values` broadcasts to `(rows, cols[, channels])` of `rect`; for height they are ground metres.
+        """
+        data = self.layers[layer]
+        rect = data.grid.clip(rect)
+        tiles = list(data.grid.tiles(rect))
+        before = {tile: data.snapshot(tile) for tile in tiles}
+        data.array[rect.slices] = values
+        for tile in tiles:
+            data.settle(tile, before[tile])
+        self.mark(layer, rect)
+
+
+def merge(rects: Iterable[Rect], most: int = 16) -> list[Rect]:
+    """Join rectangles that overlap; past `most` of them, or when joining costs little, their union."""
+    merged: list[Rect] = []
+    for rect in rects:
+        while True:
+            hit = next((other for other in merged if not rect.intersect(other).empty), None)
+            if hit is None:
+                break
+            merged.remove(hit)
+            rect = rect.union(hit)
+        merged.append(rect)
+    if len(merged) > most:
+        union = merged[0]
+        for rect in merged[1:]:
+            union = union.union(rect)
+        return [union]
+    return merged

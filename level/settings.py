@@ -1,0 +1,117 @@
+"""Everything about a level that is a number and not a map: one frozen pydantic model, sections of `param` rows."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from .params import Section, param
+
+
+class WaterLevel(Section):
+    sea_level_m: float = param(0.0, -12_000, 12_000, "m", "Height of the still sea.", soft=(-5, 5))
+    seed: int = param(7, 0, 2**31 - 1, "", "Seed of every generated noise and wave spread of this level.")
+
+
+class Sea(Section):
+    """Gerstner waves offshore, two frequency groups with one set of knobs each (Hitman talk, H05, H28; D11)."""
+
+    on: bool = param(True, doc="Gerstner waves on the open sea.")
+    swell_m: float = param(0.45, 0, 8, "m", "Amplitude of the low group, three fronts.", soft=(0, 2))
+    swell_length_m: float = param(46.0, 4, 600, "m", "Wavelength of the low group.", soft=(15, 150))
+    swell_speed: float = param(1.0, 0, 4, "×", "Speed of the low group against deep-water dispersion.", soft=(0.25, 2))
+    swell_steepness: float = param(0.55, 0, 1, "", "How sharply the crests of the low group are drawn together.")
+    swell_heading_deg: float = param(20.0, 0, 360, "°", "Where the first front of the low group goes to.")
+    chop_m: float = param(0.09, 0, 2, "m", "Amplitude of the high group, five fronts.", soft=(0, 0.4))
+    chop_length_m: float = param(7.5, 1, 80, "m", "Wavelength of the high group.", soft=(3, 25))
+    chop_speed: float = param(1.0, 0, 4, "×", "Speed of the high group against deep-water dispersion.", soft=(0.25, 2))
+    chop_steepness: float = param(0.7, 0, 1, "", "How sharply the crests of the high group are drawn together.")
+    variance: float = param(0.35, 0, 1, "", "How far single fronts leave their group's amplitude, length and heading.")
+    deep_start_m: float = param(0.5, 0, 100, "m", "Depth at which the offshore waves begin.", soft=(0, 10))
+    deep_full_m: float = param(9.0, 0.1, 400, "m", "Depth at which the offshore waves have their full height.")
+
+
+class Shore(Section):
+    """The shore wave clock (Diablo IV talk, D03, D04, D10): fronts that stand on depth contours and run up the sand."""
+
+    on: bool = param(True, doc="Shore waves.")
+    vertex: bool = param(True, doc="Shore waves lift the surface and run up the beach; off, only masks travel.")
+    range_m: float = param(5.0, 0.2, 200, "m", "Depth at the outer edge of the shore waves.", soft=(1, 20))
+    interval_s: float = param(9.0, 0.5, 120, "s", "Time between two waves.", soft=(3, 20))
+    count: int = param(3, 1, 8, "", "Waves on their way at once; one takes interval × count from edge to run-up limit.")
+    width: float = param(0.10, 0.005, 1, "", "Width of a front's flank, in shore ranges.", soft=(0.02, 0.3))
+    gap: float = param(0.12, 0.005, 1, "", "Width of the front line, in shore ranges.", soft=(0.02, 0.4))
+    runup: float = param(0.13, 0, 0.6, "", "How far the water runs up the sand, in shore ranges.", soft=(0, 0.3))
+    back: float = param(0.30, 0.01, 2, "", "Length of the wave's back behind the line, in shore ranges.", soft=(0.05, 0.8))
+    fall: float = param(0.07, 0.005, 1, "", "Length of the falling crest before the front.", soft=(0.01, 0.3))
+    height_m: float = param(0.55, 0, 8, "m", "Height of the front where it stands highest.", soft=(0, 2))
+    draw_m: float = param(0.14, 0, 4, "m", "How deep the water is drawn down behind a wave.", soft=(0, 1))
+    fade_in: float = param(0.25, 0.01, 1, "", "Over which part of the range a new front appears.")
+    fade_out: float = param(0.06, 0.005, 1, "", "Over which part of the range a spent front disappears.")
+    variety: float = param(0.6, 0, 1, "", "How much the height of one wave varies along the shore.")
+    variety_m: float = param(45.0, 2, 2000, "m", "Length of that variation along the shore.", soft=(10, 200))
+    monotone: bool = param(True, doc="Fronts pass a bar once: the clock reads the least depth on the way from the sea.")
+    smooth_m: float = param(2.0, 0, 100, "m", "How far the clock's bed is smoothed, so that pebbles bend no front.")
+
+
+class Water(Section):
+    """What light does in the water (Pope & Fry 1997 for pure water, plus what lives in it)."""
+
+    on: bool = param(True, doc="Draw the water.")
+    absorb_red: float = param(0.40, 0, 20, "1/m", "Absorption of red light.", soft=(0, 2))
+    absorb_green: float = param(0.075, 0, 20, "1/m", "Absorption of green light.", soft=(0, 1))
+    absorb_blue: float = param(0.045, 0, 20, "1/m", "Absorption of blue light.", soft=(0, 1))
+    scatter: float = param(0.055, 0, 20, "1/m", "Scattering of light by plankton and silt.", soft=(0, 0.5))
+    roughness: float = param(0.09, 0.01, 1, "", "Roughness of clean water.", soft=(0.02, 0.4))
+    specular: float = param(0.02, 0, 0.2, "", "Reflectance of the water seen from straight above.")
+    foam: float = param(1.0, 0, 2, "", "Amount of foam the shore waves carry.")
+    foam_tile_m: float = param(9.0, 0.5, 200, "m", "Size of one foam tile.", soft=(2, 30))
+
+
+class Light(Section):
+    sun_azimuth_deg: float = param(235.0, 0, 360, "°", "Where the sun stands, clockwise from north.")
+    sun_elevation_deg: float = param(38.0, -20, 90, "°", "How high the sun stands.", soft=(2, 80))
+    turbidity: float = param(2.6, 1, 10, "", "Haze in the air.", soft=(1.5, 8))
+    exposure_ev: float = param(14.2, -4, 22, "EV100", "Exposure.", soft=(8, 17))
+    display: Literal["agx", "aces", "neutral", "raw"] = param("agx", doc="Transform from scene light to the display.")
+    shadows: bool = param(True, doc="The sun casts shadows of the land.")
+
+
+class Fog(Section):
+    on: bool = param(True, doc="Haze over distance, on land and water alike (D38).")
+    density: float = param(0.00022, 0, 0.2, "1/m", "Extinction of the haze at sea level.", soft=(0, 0.004))
+    height_m: float = param(350.0, 1, 20_000, "m", "Height over which the haze thins to 1/e.", soft=(20, 2000))
+
+
+class Ground(Section):
+    sand_top_m: float = param(3.2, -10, 500, "m", "Height above the sea up to which sand lies.", soft=(0, 20))
+    rock_slope_deg: float = param(33.0, 1, 89, "°", "Slope from which rock shows.", soft=(15, 60))
+    grass_slope_deg: float = param(27.0, 1, 89, "°", "Slope up to which grass grows.", soft=(10, 45))
+
+
+class Walk(Section):
+    """Where the player can go (the talk's navmesh view, D31)."""
+
+    depth_m: float = param(0.7, 0, 10, "m", "Deepest water the player wades through.", soft=(0, 2))
+    slope_deg: float = param(40.0, 1, 89, "°", "Steepest ground the player walks on.", soft=(15, 60))
+
+
+class Time(Section):
+    step_s: float = param(1 / 30, 1 / 240, 1, "s", "One step of the clock.", soft=(1 / 60, 0.2))
+    rate: float = param(1.0, -8, 8, "×", "Speed of time.", soft=(0, 4))
+    loop_start_s: float = param(0.0, 0, 10_000_000, "s", "Start of the loop.", soft=(0, 120))
+    loop_end_s: float = param(0.0, 0, 10_000_000, "s", "End of the loop; 0 for none.", soft=(0, 120))
+    warm_up_s: float = param(20.0, 0, 600, "s", "How long simulations run before a settled picture is taken.")
+
+
+class Settings(Section):
+    """All settings of a level; names on the command line are `section.name`."""
+
+    level: WaterLevel = WaterLevel()
+    sea: Sea = Sea()
+    shore: Shore = Shore()
+    water: Water = Water()
+    light: Light = Light()
+    fog: Fog = Fog()
+    ground: Ground = Ground()
+    walk: Walk = Walk()
+    time: Time = Time()
