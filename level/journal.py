@@ -184,11 +184,12 @@ class Journal:
         if self.open:
             self.commit()
         self.open = Step(label, merge_key)
+        self.level.live = True
         return self.open
 
     def commit(self) -> Step | None:
         """Settle what was written and keep the step; returns None when nothing changed."""
-        step, self.open = self.open, None
+        step, self.open, self.level.live = self.open, None, False
         if step is None:
             return None
         for name, kept in step.snapshots.items():
@@ -210,7 +211,7 @@ class Journal:
 
     def abort(self) -> None:
         """Leave no trace of the open step."""
-        step, self.open = self.open, None
+        step, self.open, self.level.live = self.open, None, False
         if step is None:
             return
         for name, kept in step.snapshots.items():

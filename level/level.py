@@ -22,13 +22,16 @@ from .settings import Settings
 class Level:
     """A coast: `base` is float32 `(rows, cols)` metres, row 0 south."""
 
-    def __init__(self, grid: Grid, base: np.ndarray, settings: Settings | None = None, georeference: dict | None = None):
+    def __init__(
+        self, grid: Grid, base: np.ndarray, settings: Settings | None = None, georeference: dict | None = None
+    ):
         self.settings = settings or Settings()
         self.objects: dict[str, object] = {}
         self.georeference = georeference or {}
         self.revision = 0
         self.settings_revision = 0
         self.objects_revision = 0
+        self.live = False  # True while a step is open: derived maps may then answer from the changed window alone
         self.derived: dict = {}  # caches of what follows from the level, keyed by their owners
         self.reset(grid, base)
 

@@ -41,7 +41,9 @@ class Shore(Section):
     width: float = param(0.10, 0.005, 1, "", "Width of a front's flank, in shore ranges.", soft=(0.02, 0.3))
     gap: float = param(0.12, 0.005, 1, "", "Width of the front line, in shore ranges.", soft=(0.02, 0.4))
     runup: float = param(0.13, 0, 0.6, "", "How far the water runs up the sand, in shore ranges.", soft=(0, 0.3))
-    back: float = param(0.30, 0.01, 2, "", "Length of the wave's back behind the line, in shore ranges.", soft=(0.05, 0.8))
+    back: float = param(
+        0.30, 0.01, 2, "", "Length of the wave's back behind the line, in shore ranges.", soft=(0.05, 0.8)
+    )
     fall: float = param(0.07, 0.005, 1, "", "Length of the falling crest before the front.", soft=(0.01, 0.3))
     height_m: float = param(0.55, 0, 8, "m", "Height of the front where it stands highest.", soft=(0, 2))
     draw_m: float = param(0.14, 0, 4, "m", "How deep the water is drawn down behind a wave.", soft=(0, 1))
@@ -49,6 +51,9 @@ class Shore(Section):
     fade_out: float = param(0.06, 0.005, 1, "", "Over which part of the range a spent front disappears.")
     variety: float = param(0.6, 0, 1, "", "How much the height of one wave varies along the shore.")
     variety_m: float = param(45.0, 2, 2000, "m", "Length of that variation along the shore.", soft=(10, 200))
+    stagger: float = param(
+        0.0, 0, 2, "", "How far waves arrive earlier or later along the shore, in intervals.", soft=(0, 1)
+    )
     monotone: bool = param(True, doc="Fronts pass a bar once: the clock reads the least depth on the way from the sea.")
     smooth_m: float = param(2.0, 0, 100, "m", "How far the clock's bed is smoothed, so that pebbles bend no front.")
 

@@ -1,0 +1,100 @@
+"""Gerstner waves offshore by frequency groups (Hitman talk, H05, H06, H28, H29; Diablo IV talk, D11).
+
+`θ = w D·(x, y) − φ t`, crests go to D. Fronts of one group read one base position; between groups the base is deformed,
+high frequencies first, so that small waves ride on large ones. Formula: M. Finch, GPU Gems 1, chapter 1.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .dual import Dual
+from .settings import Sea
+
+GRAVITY = 9.81
+SHARES = {3: (0.5, 0.28, 0.22), 5: (0.26, 0.22, 0.2, 0.17, 0.15)}  # of the group's amplitude, the first front leads
+AXIS_CLEARANCE_DEG = 6.0
+
+
+@dataclass(frozen=True)
+class Fronts:
+    """One group: arrays of shape (n,); `east`, `north` unit direction, `length_m`, `omega` rad/s, amplitudes in m."""
+
+    east: np.ndarray
+    north: np.ndarray
+    length_m: np.ndarray
+    omega: np.ndarray
+    amplitude_m: np.ndarray
+    lateral_m: np.ndarray
+
+    @property
+    def rms_m(self) -> float:
+        """Root mean square height of the group's sum: what adding fronts really brings (H28)."""
+        return float(np.sqrt(0.5 * np.sum(self.amplitude_m**2)))
+
+
+def _off_axis(heading_deg: float) -> float:
+    """A heading at least AXIS_CLEARANCE_DEG from north, east, south and west (H05)."""
+    off = (heading_deg + 45) % 90 - 45
+    side = 1.0 if off >= 0 else -1.0
+    return heading_deg + side * max(AXIS_CLEARANCE_DEG - abs(off), 0.0)
+
+
+def _group(count, heading_deg, amplitude_m, length_m, speed, steepness, variance, rng) -> Fronts:
+    wobble = rng.uniform(-1, 1, (3, count))
+    spread = 360.0 / count
+    headings = [_off_axis(heading_deg + i * spread + variance * 0.28 * spread * wobble[0, i]) for i in range(count)]
+    heading = np.radians(headings)
+    share = np.array(SHARES[count]) * (1 + 0.5 * variance * wobble[1])
+    amplitude = amplitude_m * share / share.sum()
+    length = length_m * (1 + 0.45 * variance * wobble[2])
+    k = 2 * np.pi / length
+    # Past 1 / (k n) the crest would fold over itself; Finch, equation 9 and the text below it.
+    lateral = np.minimum(2 * steepness * amplitude, 0.9 / (k * count))
+    return Fronts(np.sin(heading), np.cos(heading), length, speed * np.sqrt(GRAVITY * k), amplitude, lateral)
+
+
+def groups(sea: Sea, seed: int) -> list[Fronts]:
+    """The level's groups, high frequency first: five fronts starting from the reverse direction, then three."""
+    rng = np.random.Generator(np.random.PCG64(seed + 1))
+    low = _group(
+        3, sea.swell_heading_deg, sea.swell_m, sea.swell_length_m, sea.swell_speed, sea.swell_steepness,
+        sea.variance, rng,
+    )  # fmt: skip
+    high = _group(
+        5, sea.swell_heading_deg + 180, sea.chop_m, sea.chop_length_m, sea.chop_speed, sea.chop_steepness,
+        sea.variance, rng,
+    )  # fmt: skip
+    return [high, low]
+
+
+@dataclass
+class Deformed:
+    """A surface point as three duals of the undeformed x, y: world x, y and height over the still sea."""
+
+    x: Dual
+    y: Dual
+    z: Dual
+
+
+def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual) -> Deformed:
+    """Add one group to a point; gradients go through the chain rule (H29)."""
+    dx, dy, dz = Dual(0.0), Dual(0.0), Dual(0.0)
+    for i in range(len(fronts.length_m)):
+        east, north, k = fronts.east[i], fronts.north[i], 2 * np.pi / fronts.length_m[i]
+        cycles = (east * point.x.v + north * point.y.v) / fronts.length_m[i]
+        cycles = cycles - np.mod(fronts.omega[i] * t / (2 * np.pi), 1.0)
+        theta = 2 * np.pi * (cycles - np.floor(cycles))
+        sin, cos = np.sin(theta), np.cos(theta)
+        slope_x = k * (east * point.x.dx + north * point.y.dx)
+        slope_y = k * (east * point.x.dy + north * point.y.dy)
+        lateral = Dual(
+            fronts.lateral_m[i] * cos, -fronts.lateral_m[i] * sin * slope_x, -fronts.lateral_m[i] * sin * slope_y
+        )
+        rise = Dual(
+            fronts.amplitude_m[i] * sin, fronts.amplitude_m[i] * cos * slope_x, fronts.amplitude_m[i] * cos * slope_y
+        )
+        dx, dy, dz = dx + lateral * east, dy + lateral * north, dz + rise
+    return Deformed(point.x + dx * weight, point.y + dy * weight, point.z + dz * weight)

@@ -1,0 +1,27 @@
+// The bed as the waves know it: ShoreMap.packed, read with texelFetch and interpolated by hand, because texture units
+// keep 8 bits of the fraction and the CPU twin must agree within a millimetre (D30). The twin is level/shore.py.
+
+uniform sampler2D u_bed;  // RGBA32F: clock depth, depth, sea, smooth depth
+uniform float u_bed_cell_m;
+
+struct Bed {
+    vec3 clock;   // duals: depth the shore clock reads (monotone on the way to land), m
+    vec3 depth;   // depth, m, negative on land
+    vec3 sea;     // 1 where the water is connected to the sea
+    vec3 smoothed;  // depth without small rocks: what the offshore waves fade by
+};
+
+Bed bed_at(vec2 xy) {
+    vec2 size = vec2(textureSize(u_bed, 0));
+    vec2 at = xy / u_bed_cell_m;
+    vec2 inside = clamp(at, vec2(0.0), size - 1.0);
+    vec2 base = min(floor(inside), size - 2.0);
+    vec2 f = inside - base;
+    ivec2 cell = ivec2(base);
+    vec4 v00 = texelFetch(u_bed, cell, 0), v10 = texelFetch(u_bed, cell + ivec2(1, 0), 0);
+    vec4 v01 = texelFetch(u_bed, cell + ivec2(0, 1), 0), v11 = texelFetch(u_bed, cell + ivec2(1, 1), 0);
+    vec4 v = mix(mix(v00, v10, f.x), mix(v01, v11, f.x), f.y);
+    vec4 dx = mix(v10 - v00, v11 - v01, f.y) / u_bed_cell_m * float(at.x == inside.x);
+    vec4 dy = mix(v01 - v00, v11 - v10, f.x) / u_bed_cell_m * float(at.y == inside.y);
+    return Bed(vec3(v.x, dx.x, dy.x), vec3(v.y, dx.y, dy.y), vec3(v.z, dx.z, dy.z), vec3(v.w, dx.w, dy.w));
+}

@@ -1,0 +1,204 @@
+"""The bed as the waves know it: depth, sea mask and the monotone depth that the shore clock reads (D03).
+
+Derived from height, sea level and a few settings; cached by revision, never saved. While a step is open only the window
+that changed is worked out again, so the sea answers in the next frame; when it closes the whole map is made anew, so
+that a settled picture depends on the level alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections import deque
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy import ndimage
+
+from .dual import Dual
+from .grid import Rect
+from .level import Level
+from .objects import SeaSeed
+
+MOST_SIDE = 1025  # samples a side: larger levels are read with a stride
+LIVE_MARGIN = 24  # cells round a change that are worked out with it
+CHANNELS = ("clock", "depth", "sea", "smoothed")
+
+
+@dataclass
+class ShoreMap:
+    """`packed` is float32 `(rows, cols, 4)`: clock depth m, depth m, sea 0 … 1, smoothed depth m; row 0 south."""
+
+    packed: np.ndarray
+    bottleneck: np.ndarray  # least depth on the way from the sea, before smoothing
+    cell_m: float
+    stride: int
+    revision: int = 0
+    key: tuple = ()
+    whole: bool = True
+    log: deque = field(default_factory=lambda: deque(maxlen=64))
+
+    def changed_since(self, revision: int) -> list[Rect]:
+        """Rectangles of `packed` that changed after that revision of the map."""
+        rows, cols = self.packed.shape[:2]
+        if not self.log or revision < self.log[0][0] - 1:
+            return [Rect(0, 0, rows, cols)]
+        return [rect for at, rect in self.log if at > revision]
+
+    def at(self, x, y) -> dict[str, Dual]:
+        """Bilinear values with gradients at world points (arrays), by channel; constant outside the level."""
+        rows, cols = self.packed.shape[:2]
+        u, v = np.asarray(x) / self.cell_m, np.asarray(y) / self.cell_m
+        ui, vi = np.clip(u, 0, cols - 1), np.clip(v, 0, rows - 1)
+        col, row = np.minimum(ui.astype(np.int64), cols - 2), np.minimum(vi.astype(np.int64), rows - 2)
+        fu, fv = (ui - col)[..., None], (vi - row)[..., None]
+        v00, v10 = (self.packed[row, col + i].astype(np.float64) for i in (0, 1))
+        v01, v11 = (self.packed[row + 1, col + i].astype(np.float64) for i in (0, 1))
+        south, north = v00 + (v10 - v00) * fu, v01 + (v11 - v01) * fu
+        value = south + (north - south) * fv
+        dx = ((v10 - v00) * (1 - fv) + (v11 - v01) * fv) / self.cell_m * (u == ui)[..., None]
+        dy = (north - south) / self.cell_m * (v == vi)[..., None]
+        return {name: Dual(value[..., i], dx[..., i], dy[..., i]) for i, name in enumerate(CHANNELS)}
+
+
+def shore_map(level: Level) -> ShoreMap:
+    """The level's map, up to date with its height; worked out in the changed window only while a step is open."""
+    shore, sea = level.settings.shore, level.sea_level_m
+    seeds = tuple(sorted((o.x, o.y) for o in level.objects.values() if isinstance(o, SeaSeed)))
+    reach = shore.range_m * shore.runup
+    key = (id(level.layers["height"]), sea, reach, shore.monotone, shore.smooth_m, seeds)
+    have: ShoreMap | None = level.derived.get("shore_map")
+    at = level.layer_revision("height")
+    if have is not None and have.key == key:
+        if have.revision == at and (have.whole or level.live):
+            return have
+        if level.live:
+            return _update(level, have, at)
+    made = _whole(level, reach, seeds)
+    made.revision, made.key = at, key
+    if have is not None and have.packed.shape == made.packed.shape and have.key == key:
+        made.log = have.log
+    made.log.append((at, Rect(0, 0, *made.packed.shape[:2])))
+    level.derived["shore_map"] = made
+    return made
+
+
+def _stride(level: Level) -> int:
+    return max(1, math.ceil((max(level.grid.shape) - 1) / (MOST_SIDE - 1)))
+
+
+def _whole(level: Level, reach_m: float, seeds: tuple) -> ShoreMap:
+    stride = _stride(level)
+    cell_m = level.grid.cell_m * stride
+    depth = level.sea_level_m - level.height[::stride, ::stride].astype(np.float32)
+    wet = depth > 0
+    shallow, _ = ndimage.label(depth > -(1.1 * reach_m + 0.05))
+    pools, _ = ndimage.label(wet)
+    start = _open_edge(depth, seeds, cell_m)
+    sea = wet & np.isin(pools, np.unique(pools[start & wet]))
+    least = _bottleneck(np.where(start & wet, depth, -np.inf).astype(np.float32), depth)
+    return ShoreMap(_pack(level, depth, sea, shallow, least, cell_m), least, cell_m, stride)
+
+
+def _open_edge(depth: np.ndarray, seeds: tuple, cell_m: float) -> np.ndarray:
+    """Where the sea comes from: cells of the level's border below sea level, and seed points."""
+    start = np.zeros(depth.shape, bool)
+    start[0], start[-1], start[:, 0], start[:, -1] = True, True, True, True
+    for x, y in seeds:
+        row, col = round(y / cell_m), round(x / cell_m)
+        if 0 <= row < depth.shape[0] and 0 <= col < depth.shape[1]:
+            start[row, col] = True
+    return start
+
+
+def _pack(level: Level, depth, sea, shallow, least, cell_m: float) -> np.ndarray:
+    """The four channels from depth, sea cells, regions the swash could reach, and the bottleneck depth."""
+    shore = level.settings.shore
+    clock = np.where(sea & np.isfinite(least), least, depth) if shore.monotone else depth
+    sigma = shore.smooth_m / cell_m
+    if sigma > 0.05:
+        smooth = ndimage.gaussian_filter(clock, sigma, mode="nearest", truncate=3)
+        keep = np.clip(depth / 1.0, 0, 1)  # the true bed at the water line, so that lines and water meet there
+        clock = clock + (smooth - clock) * keep * keep * (3 - 2 * keep)
+    wide = ndimage.gaussian_filter(depth, max(4.0 / cell_m, 0.3), mode="nearest", truncate=3)
+    packed = np.zeros((*depth.shape, 4), np.float32)
+    packed[..., 0], packed[..., 1], packed[..., 3] = clock, depth, np.minimum(wide, depth + 1.0)
+    packed[..., 2] = _sea_and_its_swash(depth, sea, shallow)
+    return packed
+
+
+def _sea_and_its_swash(depth: np.ndarray, sea: np.ndarray, shallow: np.ndarray) -> np.ndarray:
+    """The sea and the sand its run-up reaches; hollows inland, and the sand nearest to them, stay still (D03)."""
+    reached = np.isin(shallow, np.unique(shallow[sea])) & (shallow > 0)
+    pond = (depth > 0) & ~sea
+    if not pond.any() or not sea.any():
+        return (reached if not pond.any() else sea & reached).astype(np.float32)
+    to_sea = ndimage.distance_transform_edt(~sea)
+    to_pond = ndimage.distance_transform_edt(~pond)
+    return (reached & (to_sea <= to_pond) & ~pond).astype(np.float32)
+
+
+def _bottleneck(marker: np.ndarray, depth: np.ndarray, rounds: int = 60) -> np.ndarray:
+    """Over all ways from the marker, the largest least depth: reconstruction of `depth` from it, by sweeps.
+
+    A front passes a bar once because behind it this never grows again (L. Vincent, 1993, sequential reconstruction).
+    """
+    least = np.minimum(marker, depth)
+    for _ in range(rounds):
+        before = least.copy()
+        for view, mask in (
+            (least, depth),
+            (least[::-1], depth[::-1]),
+            (least.T, depth.T),
+            (least.T[::-1], depth.T[::-1]),
+        ):
+            _sweep(view, mask)
+        if np.array_equal(before, least):
+            break
+    return least
+
+
+def _sweep(least: np.ndarray, depth: np.ndarray) -> None:
+    for row in range(1, len(least)):
+        came = least[row - 1].copy()
+        np.maximum(came[1:], least[row - 1, :-1], out=came[1:])
+        np.maximum(came[:-1], least[row - 1, 1:], out=came[:-1])
+        np.maximum(came, least[row], out=came)
+        np.minimum(came, depth[row], out=least[row])
+
+
+def _update(level: Level, have: ShoreMap, at: int) -> ShoreMap:
+    """The map with the changed windows worked out again against what stands round them."""
+    rows, cols = have.packed.shape[:2]
+    margin = LIVE_MARGIN + math.ceil(3 * max(level.settings.shore.smooth_m, 4.0) / have.cell_m)
+    for rect in level.changed_since("height", have.revision):
+        core = Rect(rect.row0 // have.stride, rect.col0 // have.stride,
+                    -(-rect.row1 // have.stride) + 1, -(-rect.col1 // have.stride) + 1)  # fmt: skip
+        window = core.pad(2 * margin).intersect(Rect(0, 0, rows, cols))
+        fresh = core.pad(margin).intersect(Rect(0, 0, rows, cols))
+        if not fresh.empty:
+            _update_window(level, have, window, fresh)
+            have.log.append((at, fresh))
+    have.revision, have.whole = at, False
+    return have
+
+
+def _update_window(level: Level, have: ShoreMap, window: Rect, fresh: Rect) -> None:
+    stride = have.stride
+    ground = level.height[window.row0 * stride : window.row1 * stride : stride,
+                          window.col0 * stride : window.col1 * stride : stride]  # fmt: skip
+    depth = level.sea_level_m - ground.astype(np.float32)
+    shore = level.settings.shore
+    rim = np.ones(depth.shape, bool)
+    rim[1:-1, 1:-1] = False
+    known = have.bottleneck[window.slices]
+    edge_of_level = np.zeros(have.packed.shape[:2], bool)
+    edge_of_level[[0, -1]], edge_of_level[:, [0, -1]] = True, True
+    outer = edge_of_level[window.slices] & (depth > 0)
+    marker = np.where(rim, np.where(outer, depth, known), -np.inf).astype(np.float32)
+    least = _bottleneck(marker, depth)
+    sea = (depth > 0) & (least > 0)
+    shallow, _ = ndimage.label(depth > -(1.1 * shore.range_m * shore.runup + 0.05))
+    packed = _pack(level, depth, sea, shallow, least, have.cell_m)
+    inner = Rect(fresh.row0 - window.row0, fresh.col0 - window.col0, fresh.row1 - window.row0, fresh.col1 - window.col0)
+    have.packed[fresh.slices] = packed[inner.slices]
+    have.bottleneck[fresh.slices] = least[inner.slices]

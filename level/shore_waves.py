@@ -1,0 +1,117 @@
+"""The shore wave clock (Diablo IV talk, D03, D04, D10): one function for shader, CPU twin, timing and shaping.
+
+`s = 1 − clock depth / range` runs up towards land; the front of wave k is at
+`f = fract(t / travel + k / count) · (1 + runup)`. Masks are differences of smoothsteps about f, never negative.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .dual import Dual, positive, step
+from .noise import LATTICE, value_noise
+from .settings import Shore
+
+BREAK_S = 0.78  # where along the range a front stands highest; from there it falls
+SWASH_S = 0.55  # from here to the water line the level follows the swash
+
+
+@dataclass
+class ShoreMasks:
+    """Masks at some points, arrays; `lift` is height over the still sea with its gradient, `edge_s` the water's edge."""
+
+    a: np.ndarray
+    b: np.ndarray
+    line: np.ndarray
+    back: np.ndarray
+    fall: np.ndarray
+    lift: Dual
+    edge_s: np.ndarray
+
+
+def clock_uniforms(shore: Shore, t: float) -> dict[str, float | int]:
+    """The clock at t in float64, wrapped, so that no shader ever sees a large time."""
+    waves = t / shore.interval_s / shore.count
+    return {"u_shore_clock": waves - math.floor(waves), "u_shore_cycle": int(math.floor(waves)) % (LATTICE * 64)}
+
+
+def uprush(shore: Shore) -> float:
+    """Part of an interval a wave takes from the water line to the run-up limit; waves closer than that overlap."""
+    return min(max(shore.count * shore.runup / (1 + shore.runup), 1e-3), 0.85)
+
+
+def shore_masks(
+    shore: Shore, t: float, clock_depth: Dual, sea: Dual, x: np.ndarray, y: np.ndarray, values: np.ndarray
+) -> ShoreMasks:
+    """Masks and lift at world points; `values` is the level's noise lattice."""
+    clock = clock_uniforms(shore, t)
+    s = 1.0 - clock_depth * (1 / shore.range_m)
+    early = (value_noise(values, x, y, 3 * shore.variety_m, (11, 37)) - 0.5) * (2 * shore.stagger)
+    nearest = np.full(np.shape(s.v), 9.0)
+    zero = np.zeros(np.shape(s.v))
+    a, b, line, back, fall = (zero.copy() for _ in range(5))
+    lift = Dual(zero.copy(), zero.copy(), zero.copy())
+    height = _height_along(s)
+    for k in range(shore.count):
+        c = (early + k) * (1 / shore.count) + clock["u_shore_clock"]
+        cycle = np.floor(c.v)
+        f = (c - Dual(cycle)) * (1 + shore.runup)
+        wave = (clock["u_shore_cycle"] + cycle.astype(np.int64)) * shore.count - k
+        here = _wave(shore, s - f, f)
+        noise = value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
+        tall = 1.0 - noise * shore.variety
+        front = np.abs(s.v - f.v)
+        closer = front < nearest
+        nearest = np.where(closer, front, nearest)
+        a, b = np.where(closer, here[0].v, a), np.where(closer, here[1].v, b)
+        line, back, fall = (np.maximum(m, n.v * sea.v) for m, n in zip((line, back, fall), here[2:5], strict=True))
+        lift = lift + (here[2] + here[3] - here[5] * (shore.draw_m / max(shore.height_m, 1e-6))) * tall
+    lift = lift * height * shore.height_m
+    edge, level = _swash(shore, clock["u_shore_clock"], early)
+    lift = (lift + level * step(SWASH_S, 1.0, s)) * sea
+    if not (shore.on and shore.vertex):
+        lift = lift * 0.0
+    if not shore.on:
+        a, b, line, back, fall = (m * 0.0 for m in (a, b, line, back, fall))
+    return ShoreMasks(a, b, line, back, fall, lift, edge if shore.on and shore.vertex else edge * 0 + 1)
+
+
+def _wave(shore: Shore, u: Dual, f: Dual) -> tuple[Dual, ...]:
+    """A, B, line, back, crest-fall and trail of one wave; u = s − f is 0 on its front, below 0 behind it (D03, D04)."""
+    w, gap, back_s = shore.width, shore.gap, shore.back
+    fade = step(0.0, shore.fade_in, f) * (1.0 - step(1 + shore.runup - shore.fade_out, 1 + shore.runup, f))
+    b = step(-w / 2, w / 2, u)
+    a = step(-gap - w / 2, -gap + w / 2, u)
+    c = step(-gap - back_s, -gap, u)
+    trail = positive(step(-gap - 2 * back_s, -gap - back_s, u) - c)
+    fall = positive(step(-w / 2 - shore.fall / 2, 0.0, u) - step(0.0, w / 2 + shore.fall, u))
+    return a, b, positive(a - b) * fade, positive(c - a) * fade, fall * fade, trail * fade
+
+
+def _height_along(s: Dual) -> Dual:
+    """Shoaling and breaking as a shape over s: fronts rise on the way in and are spent at the water line."""
+    return (step(0.0, BREAK_S, s) * 0.7 + 0.3) * (1.0 - step(BREAK_S, 1.0, s))
+
+
+def _swash(shore: Shore, clock: float, early: Dual) -> tuple[np.ndarray, Dual]:
+    """The water's edge in s and the water level there in m: up with the front, back before the next one (D10)."""
+    arrived = clock * shore.count + early.v - shore.count / (1 + shore.runup)
+    q = Dual(arrived - np.floor(arrived), early.dx, early.dy)
+    up = uprush(shore)
+    rising = q * (1 / up)
+    falling = 1.0 - step(up, 1.0, q)
+    going_up = q.v < up
+    run = Dual(*(np.where(going_up, m, n) for m, n in zip(_parts(rising), _parts(falling), strict=True)))
+    return 1.0 + shore.runup * run.v, run * (shore.range_m * shore.runup)
+
+
+def _parts(x: Dual) -> tuple:
+    return x.v, x.dx, x.dy
+
+
+def front_speed_mps(shore: Shore, slope: float | np.ndarray) -> float | np.ndarray:
+    """Ground speed of a front on a bed of this slope (rise over run): flatter is faster (D03)."""
+    return shore.range_m * (1 + shore.runup) / (shore.interval_s * shore.count * np.maximum(slope, 1e-4))

@@ -1,0 +1,126 @@
+"""The CPU twin of the sea (D30): height, normal and masks at any world point and time, equal to the shader's.
+
+Stateless in t. Games spawn particles and float things with it; tests hold the shader to it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .dual import Dual, step
+from .gerstner import Deformed, Fronts, deform, groups
+from .level import Level
+from .noise import lattice
+from .shore import ShoreMap, shore_map
+from .shore_waves import ShoreMasks, clock_uniforms, shore_masks, uprush
+
+INVERSIONS = 12  # fixed-point steps from world xy back to the undeformed point; each shrinks the error by the slope
+
+
+@dataclass
+class SeaSample:
+    """The surface at some points, arrays of one shape; metres; `normal` has a last axis of 3."""
+
+    x: np.ndarray
+    y: np.ndarray
+    height_m: np.ndarray
+    normal: np.ndarray
+    before_x: np.ndarray
+    before_y: np.ndarray
+    deep: np.ndarray
+    shore: ShoreMasks
+    depth_m: np.ndarray
+    clock_depth_m: np.ndarray
+
+
+def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
+    sea = level.settings.sea
+    full = max(sea.deep_full_m, sea.deep_start_m + 1e-3)
+    return step(sea.deep_start_m, full, bed["smoothed"]) * bed["sea"] * float(sea.on)
+
+
+def _offshore(level: Level, shore: ShoreMap, fronts: list[Fronts], t: float, x, y) -> tuple[Deformed, Dual]:
+    weight = _weight(level, shore.at(x, y))
+    point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
+    for group in fronts:
+        point = deform(point, group, t, weight)
+    return point, weight
+
+
+def surface_at(level: Level, t: float, before_x, before_y, skip_chop: bool = False) -> SeaSample:
+    """The surface that the undeformed points `before_x, before_y` (world metres, arrays) are carried to at time t.
+
+    `skip_chop` leaves out the high group, as physics may (H22).
+    """
+    x, y = np.broadcast_arrays(np.asarray(before_x, np.float64), np.asarray(before_y, np.float64))
+    shore = shore_map(level)
+    fronts = groups(level.settings.sea, level.settings.level.seed)[1 if skip_chop else 0 :]
+    point, weight = _offshore(level, shore, fronts, t, x, y)
+    after_x, after_y = point.x.v, point.y.v
+    bed = shore.at(after_x, after_y)
+    values = lattice(level.settings.level.seed)
+    masks = shore_masks(level.settings.shore, t, bed["clock"], bed["sea"], after_x, after_y, values)
+    slope_x = point.z.dx + masks.lift.dx * point.x.dx + masks.lift.dy * point.y.dx
+    slope_y = point.z.dy + masks.lift.dx * point.x.dy + masks.lift.dy * point.y.dy
+    east = np.stack(np.broadcast_arrays(point.x.dx, point.y.dx, slope_x), -1)
+    north = np.stack(np.broadcast_arrays(point.x.dy, point.y.dy, slope_y), -1)
+    normal = np.cross(east, north)
+    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
+    height = level.sea_level_m + point.z.v + masks.lift.v
+    return SeaSample(after_x, after_y, height, normal, x, y, weight.v, masks, bed["depth"].v, bed["clock"].v)
+
+
+def sea_at(level: Level, t: float, x, y, skip_chop: bool = False) -> SeaSample:
+    """The surface at **world** points x, y (metres, arrays) and time t; the lateral shift is inverted."""
+    x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
+    shore = shore_map(level)
+    fronts = groups(level.settings.sea, level.settings.level.seed)[1 if skip_chop else 0 :]
+    before_x, before_y = x.copy(), y.copy()
+    for _ in range(INVERSIONS):
+        point, _ = _offshore(level, shore, fronts, t, before_x, before_y)
+        off_x, off_y = x - point.x.v, y - point.y.v
+        before_x, before_y = before_x + off_x, before_y + off_y
+        if max(np.abs(off_x).max(initial=0), np.abs(off_y).max(initial=0)) < 1e-6:
+            break
+    return surface_at(level, t, before_x, before_y, skip_chop)
+
+
+def largest_height_m(level: Level) -> float:
+    """The largest height the wave sum can reach over the still sea."""
+    sea, shore = level.settings.sea, level.settings.shore
+    return max(sea.swell_m + sea.chop_m, shore.height_m + shore.range_m * shore.runup, 1e-3)
+
+
+def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]:
+    """The value of every uniform that the level's GLSL declares, samplers excepted, at time t."""
+    settings = level.settings
+    sea, shore = settings.sea, settings.shore
+    way, size = [], []
+    for fronts in groups(sea, settings.level.seed):
+        for i, length in enumerate(fronts.length_m):
+            east, north = fronts.east[i], fronts.north[i]
+            phase = fronts.omega[i] * t / (2 * np.pi)
+            way.append((east / length, north / length, phase - np.floor(phase), 2 * np.pi / length))
+            size.append((fronts.amplitude_m[i], fronts.lateral_m[i], east, north))
+    names = ("range_m", "width", "gap", "runup", "back", "fall", "height_m", "draw_m", "fade_in", "fade_out")
+    return {
+        "u_front_way": np.array(way, np.float32),
+        "u_front_size": np.array(size, np.float32),
+        **clock_uniforms(shore, t),
+        **{f"u_shore_{name}": float(getattr(shore, name)) for name in names},
+        "u_shore_variety": shore.variety,
+        "u_shore_variety_m": shore.variety_m,
+        "u_shore_stagger": shore.stagger,
+        "u_shore_count": shore.count,
+        "u_shore_uprush": uprush(shore),
+        "u_shore_on": float(shore.on),
+        "u_shore_vertex": float(shore.vertex),
+        "u_sea_on": float(sea.on),
+        "u_sea_level_m": settings.level.sea_level_m,
+        "u_deep_start_m": sea.deep_start_m,
+        "u_deep_full_m": max(sea.deep_full_m, sea.deep_start_m + 1e-3),
+        "u_wave_height_m": largest_height_m(level),
+        "u_bed_cell_m": shore_map(level).cell_m,
+    }

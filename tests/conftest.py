@@ -1,0 +1,61 @@
+"""Fixtures that every room shares: one OpenGL context, two small levels, the folder of real files."""
+
+import gc
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+# What macOS offers: everything must work there (design, GL 4.1). Set before the first context is made.
+os.environ.setdefault("MESA_GL_VERSION_OVERRIDE", "4.1FC")
+os.environ.setdefault("MESA_GLSL_VERSION_OVERRIDE", "410")
+os.environ.setdefault("LP_NUM_THREADS", "2")
+
+DATA = Path(__file__).parents[2] / "shared" / "data"
+
+
+@pytest.fixture(scope="session")
+def ctx():
+    """One OpenGL 4.1 context for all tests; without one they skip, unless SHOREWRIGHT_EXPECT_GL demands it."""
+    import moderngl
+
+    try:
+        context = moderngl.create_standalone_context(require=410, backend="egl")
+    except Exception as error:
+        if os.environ.get("SHOREWRIGHT_EXPECT_GL"):
+            raise
+        pytest.skip(f"no OpenGL 4.1 here: {error}")
+    yield context
+    gc.collect()
+    context.release()
+
+
+@pytest.fixture
+def data_dir():
+    """The folder of real files beside the project; tests that need it skip where it is missing."""
+    if not DATA.is_dir():
+        pytest.skip("the folder of real files (../shared/data) is not beside the project")
+    return DATA
+
+
+def make_beach(rows=129, cols=161, cell_m=1.0, slope=0.06, rough_m=0.0):
+    """A planar beach rising to the north, the water line in the middle; optionally rough."""
+    from shorewright.level import Grid, Level
+
+    north = np.arange(rows, dtype=np.float64)[:, None] * cell_m
+    height = (north - north.mean()) * slope + np.zeros((1, cols))
+    height += rough_m * np.random.default_rng(3).standard_normal(height.shape)
+    return Level(Grid(rows, cols, cell_m), height.astype(np.float32))
+
+
+@pytest.fixture
+def beach_level():
+    return make_beach()
+
+
+@pytest.fixture
+def flat_level():
+    from shorewright.level import Grid, Level
+
+    return Level(Grid(300, 260), np.full((300, 260), 2.0, np.float32))
