@@ -31,6 +31,11 @@ class Rect(NamedTuple):
         return slice(self.row0, self.row1), slice(self.col0, self.col1)
 
     @property
+    def tiles(self) -> tuple[slice, slice]:
+        """The tiles it touches, as slices of the grid of tiles (`LayerData.written`)."""
+        return slice(self.row0 // TILE, -(-self.row1 // TILE)), slice(self.col0 // TILE, -(-self.col1 // TILE))
+
+    @property
     def shape(self) -> tuple[int, int]:
         return max(self.row1 - self.row0, 0), max(self.col1 - self.col0, 0)
 
@@ -141,6 +146,14 @@ class Grid:
         row1 = self.rows if sector[0] == sector_rows - 1 else (sector[0] + 1) * SECTOR
         col1 = self.cols if sector[1] == sector_cols - 1 else (sector[1] + 1) * SECTOR
         return Rect(sector[0] * SECTOR, sector[1] * SECTOR, row1, col1)
+
+    def sectors_at(self, rect: Rect) -> tuple[slice, slice]:
+        """The sectors that a rectangle (not empty, inside the level) touches, as slices of the grid of sectors."""
+        rows, cols = self.sector_shape
+        return (
+            slice(min(rect.row0 // SECTOR, rows - 1), min((rect.row1 - 1) // SECTOR, rows - 1) + 1),
+            slice(min(rect.col0 // SECTOR, cols - 1), min((rect.col1 - 1) // SECTOR, cols - 1) + 1),
+        )
 
     def sectors(self) -> Iterator[tuple[int, int]]:
         sector_rows, sector_cols = self.sector_shape

@@ -132,7 +132,8 @@ class HeightData(LayerData):
 
     def __init__(self, row: Layer, grid: Grid, base: np.ndarray) -> None:
         super().__init__(row, grid)
-        self.base = np.ascontiguousarray(base, np.float32)
+        self.base = np.ascontiguousarray(base, np.float32).view()
+        self.base.flags.writeable = False  # replaced by `Level.reset`, never changed in place: files rely on it
         self._sculpt: np.ndarray | None = None
 
     @property

@@ -46,6 +46,7 @@ class Level:
             self.layers[name] = HeightData(row, own, base) if name == "height" else LayerData(row, own)
         self._log: dict[str, deque] = {name: deque(maxlen=256) for name in LAYERS}
         self._forgotten = dict.fromkeys(LAYERS, 0)  # changes up to this revision are no longer in the log
+        self.sector_revisions = {n: np.zeros(data.grid.sector_shape, np.int64) for n, data in self.layers.items()}
         self.derived.clear()
         for name in LAYERS:
             self.mark(name, self.layers[name].grid.rect)
@@ -76,6 +77,7 @@ class Level:
         if rect.empty:
             return
         self.revision += 1
+        self.sector_revisions[layer][self.layers[layer].grid.sectors_at(rect)] = self.revision
         log = self._log[layer]
         if len(log) == log.maxlen:
             self._forgotten[layer] = log[0][0]

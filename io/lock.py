@@ -1,0 +1,73 @@
+"""The folder of a level as a thing to own: is it one, make it, lock it, put it away again."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+
+from ..level import BadInput
+from .level_json import NAME
+from .transaction import RECORD, STAGE
+
+LOCK = ".lock"  # stays behind: taking it away could let two editors in
+OURS = {LOCK, STAGE, "layers", NAME}
+
+
+def check_folder(path: Path) -> None:
+    """BadInput unless the path is the folder of a level (one whose save was committed but not yet tidied up counts)."""
+    try:
+        if not path.exists():
+            raise BadInput(f"{path} does not exist")
+        if not path.is_dir():
+            raise BadInput(f"{path} is not a level: a level is a folder with a {NAME} in it")
+        if not ((path / NAME).exists() or (path / STAGE / RECORD).exists()):
+            raise BadInput(f"{path} is not a level: it has no {NAME}")
+    except OSError as error:
+        raise BadInput(f"{path} cannot be read: {error.strerror}") from None
+
+
+def make_folder(path: Path) -> bool:
+    """Make the folder of a new level where there is none; True when it was made. BadInput when that cannot be."""
+    if path.exists() and not path.is_dir():
+        raise BadInput(f"{path} is a file, so no level can be saved there")
+    if not path.exists():
+        try:
+            path.mkdir()
+        except FileNotFoundError:
+            raise BadInput(f"{path} cannot be made: the folder {path.parent} does not exist") from None
+        except OSError as error:
+            raise BadInput(f"{path} cannot be made: {error.strerror}") from None
+        return True
+    if not (path / NAME).exists():
+        try:
+            foreign = sorted(entry.name for entry in path.iterdir() if entry.name not in OURS)
+        except OSError as error:
+            raise BadInput(f"{path} cannot be read: {error.strerror}") from None
+        if foreign:
+            raise BadInput(f"{path} holds other things ({foreign[0]}) and no level: choose a new name")
+    return False
+
+
+def take(path: Path):
+    """The lock of a level's folder, held; BadInput when another editor has it or the folder is read-only."""
+    import filelock
+
+    lock = filelock.FileLock(str(path / LOCK), timeout=0, thread_local=False)
+    try:
+        if (path / LOCK).is_symlink():
+            raise BadInput(f"{path / LOCK} is a link, so the level cannot be locked: remove it")
+        lock.acquire()
+    except filelock.Timeout:
+        raise BadInput(f"{path} is open in another Shorewright: close it there first") from None
+    except OSError as error:
+        reason = error.strerror or error
+        raise BadInput(f"{path} cannot be written to ({reason}): copy it to open it for editing") from None
+    return lock
+
+
+def remove_empty(path: Path) -> None:
+    """Put away the folder of a level that was never saved; anything in it that isn't ours keeps it."""
+    with contextlib.suppress(OSError):
+        (path / LOCK).unlink(missing_ok=True)
+        (path / "layers").rmdir() if (path / "layers").is_dir() else None
+        path.rmdir()
