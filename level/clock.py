@@ -30,7 +30,8 @@ class Clock:
     def step(self, steps: int = 1) -> None:
         """Go to the next (or, negative, an earlier) whole step and stay paused there."""
         self.paused = True
-        self._go((round(self.time_s / self.step_s) + steps) * self.step_s)
+        at = self.time_s / self.step_s
+        self._go(((math.floor(at + 1e-6) if steps > 0 else math.ceil(at - 1e-6)) + steps) * self.step_s)
 
     def scrub(self, time_s: float) -> None:
         """Go to a moment; outside the loop is allowed, the loop takes hold again when time runs."""

@@ -95,7 +95,7 @@ def _whole(level: Level, reach_m: float, seeds: tuple) -> ShoreMap:
     pools, _ = ndimage.label(wet)
     start = _open_edge(depth, seeds, cell_m)
     sea = wet & np.isin(pools, np.unique(pools[start & wet]))
-    least = _bottleneck(np.where(start & wet, depth, -np.inf).astype(np.float32), depth)
+    least = _from_the_deep(depth, start & wet, level.settings.shore.range_m)
     return ShoreMap(_pack(level, depth, sea, shallow, least, cell_m), least, cell_m, stride)
 
 
@@ -110,6 +110,18 @@ def _open_edge(depth: np.ndarray, seeds: tuple, cell_m: float) -> np.ndarray:
     return start
 
 
+def _from_the_deep(depth: np.ndarray, start: np.ndarray, range_m: float) -> np.ndarray:
+    """Bottleneck depth from the deep part of the border: where the border cuts a beach, fronts come from the sea too."""
+    if not start.any():
+        return np.full(depth.shape, -np.inf, np.float32)
+    deep = start & (depth >= min(range_m, 0.95 * float(depth[start].max())))
+    least = _bottleneck(np.where(deep, depth, -np.inf).astype(np.float32), depth)
+    cut_off = start & ~(least > 0)  # water that only its own shallow border joins to the sea
+    if cut_off.any():
+        least = _bottleneck(np.where(cut_off, depth, least).astype(np.float32), depth)
+    return least
+
+
 def _pack(level: Level, depth, sea, shallow, least, cell_m: float) -> np.ndarray:
     """The four channels from depth, sea cells, regions the swash could reach, and the bottleneck depth."""
     shore = level.settings.shore
@@ -117,7 +129,7 @@ def _pack(level: Level, depth, sea, shallow, least, cell_m: float) -> np.ndarray
     sigma = shore.smooth_m / cell_m
     if sigma > 0.05:
         smooth = ndimage.gaussian_filter(clock, sigma, mode="nearest", truncate=3)
-        keep = np.clip(depth / 1.0, 0, 1)  # the true bed at the water line, so that lines and water meet there
+        keep = np.clip(clock / 1.0, 0, 1)  # the true bed at the water line, so that lines and water meet there
         clock = clock + (smooth - clock) * keep * keep * (3 - 2 * keep)
     wide = ndimage.gaussian_filter(depth, max(4.0 / cell_m, 0.3), mode="nearest", truncate=3)
     packed = np.zeros((*depth.shape, 4), np.float32)

@@ -21,7 +21,7 @@ SWASH_S = 0.55  # from here to the water line the level follows the swash
 
 @dataclass
 class ShoreMasks:
-    """Masks at some points, arrays; `lift` is height over the still sea with its gradient, `edge_s` the water's edge."""
+    """Masks at some points; `lift` is height over the still sea with its gradient, `edge_s` the water's edge."""
 
     a: np.ndarray
     b: np.ndarray
@@ -35,7 +35,7 @@ class ShoreMasks:
 def clock_uniforms(shore: Shore, t: float) -> dict[str, float | int]:
     """The clock at t in float64, wrapped, so that no shader ever sees a large time."""
     waves = t / shore.interval_s / shore.count
-    return {"u_shore_clock": waves - math.floor(waves), "u_shore_cycle": int(math.floor(waves)) % (LATTICE * 64)}
+    return {"u_shore_clock": waves - math.floor(waves), "u_shore_cycle": math.floor(waves) % (LATTICE * 64)}
 
 
 def uprush(shore: Shore) -> float:

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from coasts import make_beach
 
 # What macOS offers: everything must work there (design, GL 4.1). Set before the first context is made.
 os.environ.setdefault("MESA_GL_VERSION_OVERRIDE", "4.1FC")
@@ -37,16 +38,6 @@ def data_dir():
     if not DATA.is_dir():
         pytest.skip("the folder of real files (../shared/data) is not beside the project")
     return DATA
-
-
-def make_beach(rows=129, cols=161, cell_m=1.0, slope=0.06, rough_m=0.0):
-    """A planar beach rising to the north, the water line in the middle; optionally rough."""
-    from shorewright.level import Grid, Level
-
-    north = np.arange(rows, dtype=np.float64)[:, None] * cell_m
-    height = (north - north.mean()) * slope + np.zeros((1, cols))
-    height += rough_m * np.random.default_rng(3).standard_normal(height.shape)
-    return Level(Grid(rows, cols, cell_m), height.astype(np.float32))
 
 
 @pytest.fixture

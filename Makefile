@@ -1,0 +1,27 @@
+# Two commands matter: `make run` and `make test`; both set up everything they need.
+PYTHON ?= python3
+LEVEL ?= sample_levels/cove.shore
+VENV := .venv/bin
+
+.PHONY: run test lint bench pictures setup clean
+
+run: setup
+	@$(VENV)/python -m shorewright.app.launch $(LEVEL)
+
+test: setup lint
+	@$(VENV)/python -m pytest
+
+lint: setup
+	@$(VENV)/ruff check . && $(VENV)/ruff format --check . && $(VENV)/lint-imports --no-cache
+
+bench: setup
+	@$(VENV)/shorewright bench
+
+pictures: setup
+	@$(VENV)/python sample_levels/pictures.py
+
+setup:
+	@PYTHON=$(PYTHON) .ci/setup
+
+clean:
+	rm -rf .venv build *.egg-info out

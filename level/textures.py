@@ -1,0 +1,186 @@
+"""Seeded tiling textures: noise, ripples, foam, ground. Shader, twin, brushes and exporters share these arrays.
+
+Everything tiles on both axes, is made once from a seed and holds no file. Arrays are `(rows, cols, channels)`.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+SIZE = 512
+
+
+def spectral_noise(size: int, seed: int, falloff: float, low: float = 1.0, high: float | None = None) -> np.ndarray:
+    """Tiling Gaussian noise, amplitude `f ** -falloff` between `low` and `high` cycles; mean 0, deviation 1."""
+    rng = np.random.default_rng(seed)
+    spectrum = np.fft.rfft2(rng.standard_normal((size, size)))
+    frequency = np.hypot(*np.meshgrid(np.fft.fftfreq(size, 1 / size), np.fft.rfftfreq(size, 1 / size), indexing="ij"))
+    weight = np.where((frequency >= low) & (frequency <= (high or size)), np.maximum(frequency, 1.0) ** -falloff, 0.0)
+    noise = np.fft.irfft2(spectrum * weight, (size, size))
+    return noise / noise.std()
+
+
+def worley(size: int, cells: int, seed: int, warp: tuple[np.ndarray, np.ndarray] | None = None) -> tuple:
+    """Tiling cell noise (Worley 1996): distances to the nearest and second feature point in cells, and a cell number.
+
+    `warp` moves the places that are asked, in tiles.
+    """
+    rng = np.random.default_rng(seed)
+    points = rng.random((cells, cells, 2)) * 0.9 + 0.05
+    number = rng.random((cells, cells))
+    axis = np.arange(size) / size
+    y, x = np.meshgrid(axis, axis, indexing="ij")
+    if warp is not None:
+        x, y = x + warp[0], y + warp[1]
+    x, y = x * cells, y * cells
+    column, row = np.floor(x).astype(int), np.floor(y).astype(int)
+    first = np.full((size, size), 9.0)
+    second = first.copy()
+    nearest = np.zeros((size, size))
+    for dy in (-1, 0, 1):
+        for dx in (-1, 0, 1):
+            r, c = (row + dy) % cells, (column + dx) % cells
+            distance = np.hypot(column + dx + points[r, c, 0] - x, row + dy + points[r, c, 1] - y)
+            closer = distance < first
+            second = np.where(closer, first, np.minimum(second, distance))
+            nearest = np.where(closer, number[r, c], nearest)
+            first = np.where(closer, distance, first)
+    return first, second, nearest
+
+
+def equalise(values: np.ndarray) -> np.ndarray:
+    """Values replaced by their rank, 0 … 1: a threshold at `1 − a` then covers exactly the part `a` of the tile."""
+    ranks = np.empty(values.size)
+    ranks[np.argsort(values, axis=None, kind="stable")] = np.arange(values.size) / (values.size - 1)
+    return ranks.reshape(values.shape)
+
+
+def slopes(height: np.ndarray, tile: float) -> tuple[np.ndarray, np.ndarray]:
+    """Slope east and north of a tiling height whose period is `tile`, by central differences."""
+    step = 2 * tile / height.shape[0]
+    east = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) / step
+    north = (np.roll(height, -1, 0) - np.roll(height, 1, 0)) / step
+    return east, north
+
+
+def to_bytes(*channels: np.ndarray) -> np.ndarray:
+    """Channels in 0 … 1 as uint8 `(rows, cols, channels)`."""
+    return np.round(np.clip(np.stack(channels, -1), 0, 1) * 255).astype(np.uint8)
+
+
+def smooth(low: float, high: float, x: np.ndarray) -> np.ndarray:
+    """GLSL's smoothstep."""
+    t = np.clip((x - low) / (high - low), 0, 1)
+    return t * t * (3 - 2 * t)
+
+
+@lru_cache(maxsize=4)
+def noise_texture(size: int = SIZE, seed: int = 7) -> np.ndarray:
+    """uint8 RGBA for borders and tints: broad clouds, middle, fine, ridges; each equalised about one half."""
+    broad = spectral_noise(size, seed, 1.7, 1, 24)
+    middle = spectral_noise(size, seed + 1, 1.3, 5, 80)
+    fine = spectral_noise(size, seed + 2, 0.6, 30, 200)
+    ridges = -np.abs(spectral_noise(size, seed + 3, 1.8, 2, 90))
+    return to_bytes(*(equalise(c) for c in (broad, middle, fine, ridges)))
+
+
+@lru_cache(maxsize=4)
+def foam_texture(size: int = SIZE, seed: int = 7) -> np.ndarray:
+    """uint8 RGBA foam (H18): R thin lace with holes, G middle, B dense with round holes, A bubbles.
+
+    R, G and B are equalised: a threshold at `1 − amount` covers `amount` of the water, so foam that thins tears into
+    lace and then into threads instead of fading, and its far-off average is simply `amount`.
+    """
+    warp = tuple(spectral_noise(size, seed + i, 2.3, 2, 40) * 0.022 for i in (1, 2))
+    broad = spectral_noise(size, seed + 5, 1.4, 2, 14)
+    patch = spectral_noise(size, seed + 6, 1.6, 4, 30)
+    grain = spectral_noise(size, seed + 7, 0.8, 40, 160)
+    edges = {}
+    for cells in (7, 15, 29, 52):
+        first, second, number = worley(size, cells, seed + 10 + cells, warp)
+        edges[cells] = second - first, first, number
+    sparse = smooth(-0.8, 1.4, broad)
+    thread = np.minimum(edges[7][0] / 7 * (1 + 0.3 * patch), edges[15][0] / 15 * 1.3 + 0.02 * sparse)
+    thread = np.minimum(thread, edges[29][0] / 29 * 1.4 + 0.045 * sparse - 0.002)
+    lace = -thread - 0.009 * sparse + 0.0008 * grain
+    web = np.minimum(edges[15][0] / 15, edges[29][0] / 29 * 1.3 + 0.010 * (1 + 0.7 * patch))
+    middle = -web + 0.008 * broad + 0.0011 * grain
+    holes = np.minimum(edges[29][1] * 0.8, edges[52][1] * 0.62 + 0.14 + 0.08 * patch)
+    dense = holes + 0.09 * broad + 0.025 * grain
+    first, number = edges[52][1], edges[52][2]
+    radius = 0.16 + 0.3 * number
+    rim = np.exp(-(((first - radius) / 0.07) ** 2)) + 0.35 * (first < radius)
+    return to_bytes(equalise(lace), equalise(middle), equalise(dense), rim)
+
+
+@lru_cache(maxsize=4)
+def ripple_texture(size: int = 256, seed: int = 7, spread: float = 2.0) -> np.ndarray:
+    """float32 `(size, size, 4)` small waves going east in a tile of side 1: slope east, slope north, slope², height.
+
+    A directional spectrum by FFT. The slope's total variance is 1, so the shader scales it to any wind; averaged over
+    a mip level, slope² minus the square of the mean slope is the variance that level lost (LEAN mapping, Olano &
+    Baker 2010), which becomes roughness.
+    """
+    rng = np.random.default_rng(seed)
+    spectrum = np.fft.fft2(rng.standard_normal((size, size)))
+    ky, kx = np.meshgrid(*(np.fft.fftfreq(size, 1 / size),) * 2, indexing="ij")
+    k = np.maximum(np.hypot(kx, ky), 1e-9)
+    along = np.abs(kx) / k  # both ways: a real field has no direction, its scroll has
+    weight = np.exp(-((2.2 / k) ** 2) - (k / (size * 0.16)) ** 2) * k**-2.1 * (0.18 + along**spread)
+    spectrum = spectrum * np.where(k < 1, 0, weight)
+    height = np.fft.ifft2(spectrum).real
+    east = np.fft.ifft2(2j * np.pi * kx * spectrum).real
+    north = np.fft.ifft2(2j * np.pi * ky * spectrum).real
+    scale = 1 / np.sqrt((east**2 + north**2).mean())
+    east, north, height = east * scale, north * scale, height * scale
+    return np.stack([east, north, east**2 + north**2, height], -1).astype(np.float32)
+
+
+def _layer(height: np.ndarray, tint: np.ndarray, steepest: float) -> np.ndarray:
+    """One ground layer: slope in RG (±`steepest` × deviation of the slope), height, tint."""
+    east, north = slopes(height, 1.0)
+    scale = 0.5 / (steepest * np.sqrt((east**2 + north**2).mean() / 2))
+    return to_bytes(0.5 + east * scale, 0.5 + north * scale, equalise(height), equalise(tint))
+
+
+def _bars(size: int, seed: int, count: float, spread: float, bend: float) -> np.ndarray:
+    """Ripple marks: a narrow band of spectrum round `count` crests along x, sharpened to crests and flat troughs."""
+    rng = np.random.default_rng(seed)
+    spectrum = np.fft.fft2(rng.standard_normal((size, size)))
+    ky, kx = np.meshgrid(*(np.fft.fftfreq(size, 1 / size),) * 2, indexing="ij")
+    band = np.exp(-(((np.abs(kx) - count) / spread) ** 2) - (ky / (spread * bend)) ** 2)
+    bars = np.fft.ifft2(spectrum * band).real
+    envelope = np.abs(np.fft.ifft2(spectrum * band * (kx > 0) * 2))
+    return bars / (envelope + 0.35 * envelope.mean())
+
+
+@lru_cache(maxsize=4)
+def ground_texture(size: int = SIZE, seed: int = 7) -> np.ndarray:
+    """uint8 `(4, size, size, 4)`: sand, rock, grass, sea floor; slope east, slope north, height, tint each."""
+    grain = spectral_noise(size, seed + 21, 0.25, 40, 250)
+    dunes = spectral_noise(size, seed + 22, 1.9, 2, 30)
+    wind = _bars(size, seed + 23, 34, 5.0, 0.9) * (
+        0.25 + 0.75 * smooth(-1.2, 1.2, spectral_noise(size, seed + 24, 1.6, 2, 12))
+    )
+    sand = 0.5 * wind + 0.9 * dunes + 0.055 * grain
+    bent = tuple(spectral_noise(size, seed + i, 1.7, 2, 60) * 0.02 for i in (25, 26))
+    first, second, number = worley(size, 7, seed + 27, bent)
+    crack = second - first
+    first2, second2, number2 = worley(size, 19, seed + 28, bent)
+    crack2 = second2 - first2
+    lumps = spectral_noise(size, seed + 29, 1.5, 3, 200)
+    rock = 0.35 * number + 0.16 * number2 + 0.35 * smooth(0, 0.16, crack) + 0.14 * smooth(0, 0.2, crack2) + 0.12 * lumps
+    blotch = spectral_noise(size, seed + 30, 1.0, 3, 120)
+    tuft, _, _ = worley(size, 46, seed + 31, bent)
+    blades = spectral_noise(size, seed + 32, 0.1, 60, 250)
+    grass = -tuft + 0.25 * spectral_noise(size, seed + 33, 1.3, 3, 60) + 0.12 * blades
+    bed = _bars(size, seed + 34, 17, 4.0, 1.1) + 0.5 * dunes + 0.05 * grain
+    layers = (
+        _layer(sand, grain + 0.6 * dunes, 3.5),
+        _layer(rock, blotch + 0.8 * number2, 4.0),
+        _layer(grass, blotch + 0.5 * blades, 3.5),
+        _layer(bed, dunes + 0.5 * grain, 3.5),
+    )
+    return np.stack(layers)
