@@ -1,0 +1,62 @@
+// Foam (D04, H18): how much there is picks from thin lace to dense cover in one texture, without pops.
+#include "lib/noise.glsl"
+
+uniform sampler2D u_foam;        // R lace, G middle, B dense, each equalised; A bubbles
+uniform float u_foam_tile_m;
+uniform float u_foam_amount;
+uniform vec4 u_foam_phase;       // two phases half a cycle apart (−½ … ½), weight of the second, seconds a cycle
+
+const float FOAM_TEXELS = 512.0;
+
+// Cover of foam for an amount 0 … 1. Fields are equalised: the part above 1 − amount is `amount` of the water.
+float foam_cover(vec4 fields, float amount, float lod) {
+    float field = mix(mix(fields.r, fields.g, smoothstep(0.18, 0.45, amount)), fields.b, smoothstep(0.5, 0.8, amount));
+    // seen from afar the texture is flat grey: the threshold widens until cover is simply the amount
+    float width = mix(0.10, 1.0, smoothstep(1.0, 6.0, lod));
+    float cover = smoothstep(-width, width, field - (1.0 - amount) + 0.04);
+    return mix(cover, amount, smoothstep(3.0, 6.5, lod)) * smoothstep(0.0, 0.10, amount);
+}
+
+vec4 foam_fields(vec2 xy, vec2 flow, float stretch, float lod) {
+    float tile = u_foam_tile_m;
+    float second = u_foam_phase.z;
+    vec2 way = flow * u_foam_phase.w;
+    vec4 a = textureLod(u_foam, (xy - way * u_foam_phase.x) / tile, lod);
+    vec4 b = textureLod(u_foam, (xy - way * u_foam_phase.y) / tile + vec2(0.37, 0.61), lod);
+    // keep the contrast that averaging two patterns would lose
+    vec4 mean = mix(a, b, second) - 0.5;
+    return clamp(mean / sqrt(second * second + (1.0 - second) * (1.0 - second)) + 0.5, 0.0, 1.0);
+}
+
+struct Foam {
+    float cover;     // share of the pixel that is foam
+    float amount;    // before the texture: thickness
+    float bubbles;   // pale volume of air under the surface
+    float relief;    // height of the foam, 0 … 1
+};
+
+// `before` undeformed xy; masks of the shore waves; `shore_edge` 1 at the water's edge, falling to 0 some way out;
+// `crest` foam of breaking crests offshore; `flow` m/s.
+Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, float crest, vec2 flow, float pixel_m) {
+    float patches = noise_at(before, 83.0, pixel_m).g * 0.65 + noise_at(before, 19.0, pixel_m).g * 0.35;
+    float torn = 0.45 + 1.1 * patches;
+    float front = saturate(0.95 * fall * (0.55 + 0.9 * patches));
+    float wake = saturate(back * (0.12 + 0.62 * patches));
+    float crown = saturate(line * line * (0.10 + 0.50 * patches));
+    float sheet = saturate(shore_edge * 0.42 * torn);
+    float rim = smoothstep(0.80, 0.97, shore_edge) * (0.35 + 0.5 * patches);
+    float amount = 1.0 - (1.0 - front) * (1.0 - wake) * (1.0 - crown) * (1.0 - sheet) * (1.0 - rim) * (1.0 - saturate(crest));
+    amount = saturate(amount * u_foam_amount);
+    if (amount < 0.004) return Foam(0.0, 0.0, 0.0, 0.0);
+    float lod = log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4));
+    vec4 fields = foam_fields(before, flow, 1.0, max(lod, 0.0));
+    float cover = foam_cover(fields, amount, max(lod, 0.0));
+    float fine = mix(fields.a, 0.4, smoothstep(0.0, 3.0, lod));
+    cover = saturate(cover * (0.86 + 0.22 * fine) + 0.25 * rim * fine * (1.0 - cover));
+    return Foam(cover, amount, saturate(amount * 1.3) * (1.0 - 0.5 * cover), cover * (0.5 + 0.5 * fields.b));
+}
+
+// Reflectance of foam: thick foam is nearly white, thin foam lets the water through (Koepke 1984 for old foam).
+vec3 foam_albedo(Foam foam) { return vec3(0.80, 0.83, 0.84) * mix(0.72, 1.0, smoothstep(0.2, 0.8, foam.amount)); }
+
+const float FOAM_ROUGHNESS = 0.85;

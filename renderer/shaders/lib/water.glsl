@@ -1,0 +1,79 @@
+// Light in water: ripples, the colour of depth, the mirror of a rough sea, light through crests (L07).
+#include "lib/noise.glsl"
+
+uniform sampler2D u_ripple;      // slope east, slope north, slope², height; total variance of the slope is 1
+uniform vec4 u_ripple_way[3];    // cosine, sine of the way it goes; offset in tiles, wrapped on the CPU
+uniform vec2 u_ripple_size[3];   // tile_m, slope (root of the mean square)
+uniform vec3 u_absorb;           // 1/m
+uniform float u_scatter;         // 1/m
+
+const float RIPPLE_TEXELS = 256.0;
+const float WATER_INDEX = 1.333;
+const float WATER_F0 = 0.0204;
+
+// Small waves: xy slope, z the variance of the slope that a pixel of this size can't show.
+vec3 water_ripples(vec2 xy, float pixel_m) {
+    vec3 sum = vec3(0.0);
+    for (int i = 0; i < 3; ++i) {
+        vec4 way = u_ripple_way[i];
+        vec2 size = u_ripple_size[i];
+        vec2 uv = vec2(way.x * xy.x + way.y * xy.y, way.x * xy.y - way.y * xy.x) / size.x + way.zw;
+        vec4 v = textureLod(u_ripple, uv, log2(max(pixel_m * RIPPLE_TEXELS / size.x, 1e-4)));
+        vec2 slope = v.xy * size.y;
+        sum.xy += vec2(way.x * slope.x - way.y * slope.y, way.y * slope.x + way.x * slope.y);
+        sum.z += max(v.z - dot(v.xy, v.xy), 0.0) * size.y * size.y;
+    }
+    return sum;
+}
+
+// Roughness of a surface whose unseen slopes have this variance: alpha² = mean square slope (Cox & Munk 1954).
+float water_roughness(float roughness, float variance) {
+    float alpha = roughness * roughness;
+    return clamp(sqrt(sqrt(alpha * alpha + variance)), 0.02, 1.0);
+}
+
+// Mean Fresnel reflectance of a rough sea (Bruneton, Neyret & Holzschuch 2010, eq. 8), sigma² the slope's variance.
+float water_fresnel(float cosine, float roughness) {
+    float sigma = min(roughness * roughness * 0.7071, 0.6);
+    float m = 1.0 - clamp(cosine, 0.0, 1.0);
+    return WATER_F0 + (1.0 - WATER_F0) * pow(m, 5.0 * exp(-2.69 * sigma)) / (1.0 + 22.7 * pow(sigma, 1.5));
+}
+
+// Cosine of the refracted ray below the surface.
+float water_cosine(float cosine) {
+    float sine2 = (1.0 - cosine * cosine) / (WATER_INDEX * WATER_INDEX);
+    return sqrt(max(1.0 - sine2, 0.0));
+}
+
+// Share of light scattered back and lost on its way, by colour, 1/m: scattering leans to blue as in clear sea water.
+vec3 water_backscatter() { return u_scatter * vec3(0.16, 0.24, 0.30); }
+
+vec3 water_attenuation() { return u_absorb + water_backscatter(); }
+
+// Light that survives `path_m` of water.
+vec3 water_transmittance(float path_m) { return exp(-water_attenuation() * max(path_m, 0.0)); }
+
+// What the water column reflects by itself when bottomless (Gordon 1975: about 0.33 b / (a + b)).
+vec3 water_deep_albedo() { return 0.33 * water_backscatter() / water_attenuation(); }
+
+// Albedo of water `depth_m` deep over a bed, seen and lit at these cosines (above the surface): Lee et al. 1998, eq. 9.
+// Multiply by the irradiance on the surface; Fresnel is not in it.
+vec3 water_albedo(vec3 bed_albedo, float depth_m, float view_cosine, float light_cosine) {
+    float path = depth_m * (1.0 / water_cosine(light_cosine) + 1.0 / water_cosine(view_cosine));
+    vec3 through = water_transmittance(path);
+    return water_deep_albedo() * (1.0 - through) + bed_albedo * through;
+}
+
+// Light that enters the far side of a wave and leaves it towards the eye, per unit of sun: strongest looking into the
+// sun at a raised, steep, thin face. `lift01` is the height over the still sea against the largest.
+vec3 water_crest_light(float lift01, vec3 normal, vec3 to_eye, vec3 to_sun) {
+    vec2 sun = to_sun.xy / max(length(to_sun.xy), 1e-4), eye = to_eye.xy / max(length(to_eye.xy), 1e-4);
+    float into_sun = saturate(0.5 - 0.5 * dot(sun, eye));
+    float face = saturate(dot(normal.xy, eye) * 2.2 + 0.15);
+    float grazing = saturate(1.2 - to_eye.z);
+    float low_sun = saturate(1.25 - to_sun.z);
+    float thin = saturate(lift01);
+    float amount = into_sun * into_sun * face * grazing * low_sun * thin * thin;
+    vec3 colour = exp(-u_absorb * mix(4.5, 1.6, thin)) * (0.35 + 2.0 * water_backscatter() / max(u_scatter, 1e-4));
+    return colour * amount * 0.11;
+}

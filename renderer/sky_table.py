@@ -1,0 +1,233 @@
+"""Sky radiance as a small table, worked out on the CPU: Rayleigh, haze and ozone with multiple scattering.
+
+Single scattering is integrated along each view ray; light scattered more than once follows the closed form of
+Hillaire, "A Scalable and Production Ready Sky and Atmosphere Rendering Technique" (EGSR 2020), section 5.5. Constants
+are Bruneton's ("Precomputed Atmospheric Scattering: a New Implementation", 2017), lengths in km. One fetch a pixel
+then gives the sky in `shaders/lib/sky.glsl`.
+
+Unit: kilo-candela per square metre for radiance, kilolux for illuminance, per linear Rec. 709 channel, so that the sun
+on white sand stays far below the largest half float.
+"""
+
+from __future__ import annotations
+
+from functools import lru_cache
+
+import numpy as np
+
+GROUND_KM, TOP_KM = 6360.0, 6440.0
+RAYLEIGH = np.array([5.802e-3, 13.558e-3, 33.1e-3])  # 1/km at 680, 550, 440 nm
+OZONE = np.array([0.650e-3, 1.881e-3, 0.085e-3])
+HAZE_TINT = np.array([0.92, 1.0, 1.10])  # maritime aerosol, Ångström exponent about 0.4
+HAZE_OPTICAL_DEPTH = 0.045  # at 550 nm for each step of turbidity above 1: clean sea air is 0.07
+HAZE_HEIGHT_KM, HAZE_ALBEDO, HAZE_G = 1.2, 0.94, 0.78
+SUN_KLUX = np.array([131.0, 128.0, 122.0])  # above the air, linear Rec. 709, D65 white
+SUN_RADIUS = 0.00465  # rad
+GROUND_ALBEDO = 0.12
+ROWS, COLUMNS = 96, 64
+EYE_KM = 0.02
+NIGHT = np.array([0.55, 0.75, 1.2]) * 4e-7  # airglow, kcd/m²
+
+
+def _medium(altitude: np.ndarray, turbidity: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Scattering by air, scattering by haze, extinction, 1/km, with a last axis of 3."""
+    h = np.maximum(altitude, 0.0)[..., None]
+    air = RAYLEIGH * np.exp(-h / 8.0)
+    haze = HAZE_TINT * (HAZE_OPTICAL_DEPTH * (turbidity - 1 + 0.1) / HAZE_HEIGHT_KM) * np.exp(-h / HAZE_HEIGHT_KM)
+    ozone = OZONE * np.maximum(1 - np.abs(h - 25.0) / 15.0, 0)
+    return air, haze * HAZE_ALBEDO, air + haze + ozone
+
+
+def _far(radius: np.ndarray, cosine: np.ndarray, shell: float) -> np.ndarray:
+    """Distance along a ray to where it leaves a shell it is inside of."""
+    inside = radius**2 * (cosine**2 - 1) + shell**2
+    return np.maximum(-radius * cosine + np.sqrt(np.maximum(inside, 0)), 0)
+
+
+def _hits_ground(radius: np.ndarray, cosine: np.ndarray) -> np.ndarray:
+    return (cosine < 0) & (radius**2 * (cosine**2 - 1) + GROUND_KM**2 >= 0)
+
+
+def _ground_distance(radius, cosine):
+    return -radius * cosine - np.sqrt(np.maximum(radius**2 * (cosine**2 - 1) + GROUND_KM**2, 0))
+
+
+_ALTITUDES = np.linspace(0, 1, 48) ** 2 * (TOP_KM - GROUND_KM)
+_COSINES = np.sign(np.linspace(-1, 1, 97)) * np.linspace(-1, 1, 97) ** 2
+
+
+@lru_cache(maxsize=4)
+def _transmittance_table(turbidity: float) -> np.ndarray:
+    """Transmittance to the top of the air, `(altitudes, cosines, 3)`; 0 where the ground is in the way."""
+    radius = GROUND_KM + np.maximum(_ALTITUDES, 1e-3)[:, None]
+    cosine = _COSINES[None, :]
+    steps = 64
+    far = _far(radius, cosine, TOP_KM)
+    depth = 0.0
+    for i in range(steps):
+        # samples crowd where the air is thick
+        at = ((i + 0.5) / steps) ** 2 * far
+        weight = (((i + 1) / steps) ** 2 - (i / steps) ** 2) * far
+        altitude = np.sqrt(radius**2 + at**2 + 2 * radius * cosine * at) - GROUND_KM
+        depth = depth + _medium(altitude, turbidity)[2] * weight[..., None]
+    blocked = _hits_ground(radius, cosine)
+    return np.where(blocked[..., None], 0.0, np.exp(-depth))
+
+
+def _look_up(table: np.ndarray, altitude: np.ndarray, cosine: np.ndarray) -> np.ndarray:
+    """Bilinear value of an `(altitudes, cosines, 3)` table."""
+    rows, columns = table.shape[:2]
+    v = np.sqrt(np.clip(altitude / (TOP_KM - GROUND_KM), 0, 1)) * (rows - 1)
+    u = (np.sign(cosine) * np.sqrt(np.abs(np.clip(cosine, -1, 1))) * 0.5 + 0.5) * (columns - 1)
+    r, c = np.minimum(v.astype(int), rows - 2), np.minimum(u.astype(int), columns - 2)
+    fr, fc = (v - r)[..., None], (u - c)[..., None]
+    low = table[r, c] * (1 - fc) + table[r, c + 1] * fc
+    high = table[r + 1, c] * (1 - fc) + table[r + 1, c + 1] * fc
+    return low * (1 - fr) + high * fr
+
+
+def _march(altitude, cosine, sun_cosine_at, turbidity, steps, source):
+    """Integrate `source(altitude, sun cosine, air, haze, sunlight) -> (…, 3)` along rays; also the transmittance left.
+
+    `sun_cosine_at(distance, radius)` is the cosine of the sun's zenith distance at a sample.
+    """
+    sun_table = _transmittance_table(turbidity)
+    radius = GROUND_KM + altitude
+    ground = _hits_ground(radius, cosine)
+    far = np.where(ground, _ground_distance(radius, cosine), _far(radius, cosine, TOP_KM))
+    total, through = 0.0, 1.0
+    for i in range(steps):
+        at = ((i + 0.5) / steps) ** 2 * far
+        length = (((i + 1) / steps) ** 2 - (i / steps) ** 2) * far
+        here = np.sqrt(radius**2 + at**2 + 2 * radius * cosine * at)
+        sun_cosine = sun_cosine_at(at, here)
+        air, haze, extinction = _medium(here - GROUND_KM, turbidity)
+        part = np.exp(-extinction * length[..., None])
+        light = source(here - GROUND_KM, sun_cosine, air, haze, _look_up(sun_table, here - GROUND_KM, sun_cosine))
+        # exact for a constant source over the step (Hillaire 2015): no energy gained with few steps
+        total = total + through * light * (1 - part) / np.maximum(extinction, 1e-9)
+        through = through * part
+    return total, through, ground, far
+
+
+@lru_cache(maxsize=4)
+def _multiple_table(turbidity: float) -> np.ndarray:
+    """Radiance of light scattered twice or more for a unit sun, over 1/(4π) phase, `(altitudes, cosines, 3)`."""
+    altitude, sun = np.meshgrid(_ALTITUDES[::4], _COSINES[::4], indexing="ij")
+    cosines = np.linspace(-0.97, 0.97, 12)
+    azimuths = (np.arange(4) + 0.5) * np.pi / 4
+    first, factor = 0.0, 0.0
+    for cosine in cosines:
+        for azimuth in azimuths:
+            sine = np.sqrt(1 - cosine**2)
+            along = cosine * sun + sine * np.sqrt(1 - sun**2) * np.cos(azimuth)
+            ray = np.full_like(sun, cosine)
+
+            def sun_at(at, here, along=along):
+                return np.clip(((GROUND_KM + altitude) * sun + at * along) / here, -1, 1)
+
+            lit = lambda h, c, air, haze, sunlight: (air + haze) * sunlight / (4 * np.pi)  # noqa: E731
+            glow = lambda h, c, air, haze, sunlight: air + haze  # noqa: E731
+            light, through, ground, far = _march(altitude, ray, sun_at, turbidity, 16, lit)
+            here = np.full_like(sun, GROUND_KM)
+            below = sun_at(far, here)
+            bounce = _look_up(_transmittance_table(turbidity), np.zeros_like(sun), below)
+            bounce = bounce * (np.maximum(below, 0) * ground * GROUND_ALBEDO / np.pi)[..., None]
+            first = first + light + through * bounce
+            factor = factor + _march(altitude, ray, sun_at, turbidity, 16, glow)[0]
+    count = len(cosines) * len(azimuths)
+    table = (first / count) / (1 - np.minimum(factor / count, 0.98))
+    grid = np.linspace(0, table.shape[0] - 1, len(_ALTITUDES)), np.linspace(0, table.shape[1] - 1, len(_COSINES))
+    return _resample(table, *grid)
+
+
+def _resample(table: np.ndarray, rows: np.ndarray, columns: np.ndarray) -> np.ndarray:
+    r, c = np.minimum(rows.astype(int), table.shape[0] - 2), np.minimum(columns.astype(int), table.shape[1] - 2)
+    fr, fc = (rows - r)[:, None, None], (columns - c)[None, :, None]
+    low = table[r][:, c] * (1 - fc) + table[r][:, c + 1] * fc
+    return low * (1 - fr) + (table[r + 1][:, c] * (1 - fc) + table[r + 1][:, c + 1] * fc) * fr
+
+
+def _phases(cosine: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Rayleigh and Cornette-Shanks phase functions, with a last axis of 1."""
+    g = HAZE_G
+    rayleigh = 3 / (16 * np.pi) * (1 + cosine**2)
+    haze = 3 / (8 * np.pi) * (1 - g * g) / (2 + g * g) * (1 + cosine**2) / (1 + g * g - 2 * g * cosine) ** 1.5
+    return rayleigh[..., None], haze[..., None]
+
+
+@lru_cache(maxsize=8)
+def sky_table(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
+    """Sky radiance, float32 `(96, 64, 3)` kcd/m²; rows from horizon to zenith by the square root of the elevation,
+    columns from the sun's azimuth to the opposite one."""
+    turbidity, sun = float(turbidity), np.radians(float(sun_elevation_deg))
+    elevation = (np.arange(ROWS) / (ROWS - 1)) ** 2 * np.pi / 2
+    azimuth = np.arange(COLUMNS) / (COLUMNS - 1) * np.pi
+    elevation, azimuth = np.meshgrid(elevation, azimuth, indexing="ij")
+    cosine, sun_cosine = np.sin(elevation), np.full_like(elevation, np.sin(sun))
+    along = np.cos(elevation) * np.cos(sun) * np.cos(azimuth) + cosine * sun_cosine
+    rayleigh, haze_phase = _phases(along)
+    multiple = _multiple_table(turbidity)
+    altitude = np.full_like(elevation, EYE_KM)
+
+    def sun_at(at, here):
+        return np.clip(((GROUND_KM + altitude) * sun_cosine + at * along) / here, -1, 1)
+
+    def source(h, c, air, haze, sunlight):
+        return sunlight * (air * rayleigh + haze * haze_phase) + (air + haze) * _look_up(multiple, h, c)
+
+    # Rays just over the sea are kept off the ground so that the horizon row holds the whole path
+    light = _march(altitude, np.maximum(cosine, 0.0), sun_at, turbidity, 40, source)[0]
+    return (light * SUN_KLUX + NIGHT).astype(np.float32)
+
+
+def sun_illuminance(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
+    """Light of the sun on a plane facing it at sea level, float64 `(3,)` kilolux; the disc sets over half a degree."""
+    sine = np.sin(np.radians(float(sun_elevation_deg)))
+    # the disc's upper part shines a little longer than its middle; refraction lifts it too
+    lifted = np.array([max(sine, 0.0) + 0.004])
+    through = _look_up(_transmittance_table(float(turbidity)), np.array([0.001]), lifted)[0]
+    shown = np.clip((sine + SUN_RADIUS + 0.01) / (2 * SUN_RADIUS + 0.01), 0, 1)
+    return SUN_KLUX * through * shown
+
+
+@lru_cache(maxsize=8)
+def sky_harmonics(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
+    """Irradiance of sky and lit ground, nine spherical-harmonic coefficients `(9, 3)` kilolux.
+
+    Convolved with the cosine lobe (Ramamoorthi & Hanrahan 2001); x points to the sun's azimuth, z up.
+    """
+    table = sky_table(sun_elevation_deg, turbidity).astype(np.float64)
+    sun = np.sin(np.radians(sun_elevation_deg))
+    v = (np.arange(ROWS) / (ROWS - 1)) ** 2 * np.pi / 2
+    phi = np.arange(COLUMNS) / (COLUMNS - 1) * np.pi
+    solid = np.gradient(v)[:, None] * np.cos(v)[:, None] * np.gradient(phi)[None, :] * 2  # both halves
+    solid[:, [0, -1]] *= 0.5
+    solid *= 2 * np.pi / solid.sum()
+    up_light = (table * (solid * np.sin(v)[:, None])[..., None]).sum((0, 1))
+    below = (up_light + max(sun, 0) * sun_illuminance(sun_elevation_deg, turbidity)) * GROUND_ALBEDO / np.pi
+    elevation, azimuth = np.meshgrid(v, phi, indexing="ij")
+    x, y, z = np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)
+    result = np.zeros((9, 3))
+    for light, height in ((table, z), (np.broadcast_to(below, table.shape), -z)):
+        for i, value in enumerate(_basis(x, y, height)):
+            if i in (1, 4, 5):  # odd in y: the other half of the sky cancels them
+                continue
+            result[i] += (light * (solid * value)[..., None]).sum((0, 1))
+    lobe = np.array([np.pi, *[2 * np.pi / 3] * 3, *[np.pi / 4] * 5])
+    return result * lobe[:, None]
+
+
+def _basis(x, y, z) -> tuple:
+    """Real spherical harmonics to order 2."""
+    return (
+        0.282095 + 0 * x,
+        0.488603 * y,
+        0.488603 * z,
+        0.488603 * x,
+        1.092548 * x * y,
+        1.092548 * y * z,
+        0.315392 * (3 * z * z - 1),
+        1.092548 * x * z,
+        0.546274 * (x * x - y * y),
+    )
