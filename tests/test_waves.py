@@ -215,7 +215,6 @@ def test_settings_out_of_range_are_refused_in_one_sentence():
 
 
 GLSL = """
-#ifdef VERTEX
 in vec2 in_before; out vec4 v_position; out vec4 v_masks;
 #include "level/waves.glsl"
 void main() {
@@ -223,7 +222,6 @@ void main() {
     v_position = vec4(sea.position, sea.deep);
     v_masks = vec4(sea.shore.line, sea.shore.back, sea.shore.fall, sea.normal.x);
 }
-#endif
 """
 
 
@@ -231,13 +229,11 @@ void main() {
 @pytest.mark.parametrize("t", [0.0, DAYS])
 def test_shader_and_twin_agree_within_a_millimetre(ctx, t):
     """D30: 10,000 random points through transform feedback, at t = 0 and after a week."""
-    from shorewright.renderer.program import expand
-
     level = make_beach(rows=513, cols=769, cell_m=2.0, slope=0.03, rough_m=0.15)
     level.set("shore.stagger", 0.4)
     at = np.random.default_rng(9).uniform(0, 1, (10_000, 2)) * np.array(level.grid.extent_m)
     at = at.astype(np.float32)
-    got = feedback(ctx, expand(GLSL, "VERTEX"), level, t, at)
+    got = feedback(ctx, level, t, at)
     want = surface_at(level, t, at[:, 0].astype(np.float64), at[:, 1].astype(np.float64))
     assert np.abs(got[:, 2] - want.height_m).max() < 1e-3
     assert np.abs(got[:, 0] - want.x).max() < 2e-3
@@ -245,11 +241,14 @@ def test_shader_and_twin_agree_within_a_millimetre(ctx, t):
     assert np.abs(got[:, 7] - want.normal[:, 0]).max() < 5e-3
 
 
-def feedback(ctx, source, level, t, at):
-    """Run a vertex shader over points and read back its eight varyings."""
+def feedback(ctx, level, t, at):
+    """Run the level's GLSL over points in a vertex shader and read back its eight varyings."""
     from shorewright.level.noise import lattice
     from shorewright.level.shore import shore_map
+    from shorewright.renderer.program import resolve
+    from shorewright.renderer.uniforms import set_uniforms
 
+    source = "#version 410 core\n" + resolve("points", {"points": GLSL}).text
     program = ctx.program(vertex_shader=source, varyings=["v_position", "v_masks"])
     packed = np.ascontiguousarray(shore_map(level).packed)
     bed = ctx.texture(packed.shape[1::-1], 4, packed.tobytes(), dtype="f4")
@@ -258,17 +257,14 @@ def feedback(ctx, source, level, t, at):
         texture.filter = (ctx.NEAREST, ctx.NEAREST)
         texture.use(unit)
         program[name] = unit
-    for name, value in wave_uniforms(level, t).items():
-        if name in program:
-            if isinstance(value, np.ndarray):
-                program[name].write(value.tobytes())
-            else:
-                program[name] = value
+    set_uniforms(program, wave_uniforms(level, t))
     points = ctx.buffer(at.tobytes())
     out = ctx.buffer(reserve=len(at) * 32)
     array = ctx.vertex_array(program, [(points, "2f", "in_before")])
+    target = ctx.simple_framebuffer((1, 1))  # a surfaceless context has none, and drawing needs one
+    target.use()
     array.transform(out, ctx.POINTS, vertices=len(at))
     result = np.frombuffer(out.read(), np.float32).reshape(-1, 8)
-    for thing in (array, out, points, bed, variety, program):
+    for thing in (array, target, out, points, bed, variety, program):
         thing.release()
     return result
