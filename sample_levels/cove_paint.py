@@ -1,0 +1,114 @@
+"""The paint of `cove.shore`: a modest patch in every layer of LAYERS, placed where the camera `play` looks."""
+
+from __future__ import annotations
+
+import numpy as np
+from cove import SURFACE
+from noise_ops import fbm, smoothstep, worley
+from scipy.interpolate import PchipInterpolator
+from shorewright.level import Level, Rect
+from shorewright.level.layers import WEATHER_GRID
+
+MOUTH = Rect(372, 540, 520, 700)  # beach and river mouth: what `play` shows, and a margin
+VALLEY = Rect(372, 540, 769, 830)  # the river from the edge of the level to the sea
+
+
+def disc(x, y, east: float, north: float, radius: float, seed: int) -> np.ndarray:
+    """1 inside a blot of about that radius, 0 outside, with a soft and uneven edge."""
+    away = np.sqrt(np.square(x - east) + np.square(y - north)) + 0.3 * radius * fbm(x, y, radius, 3, seed)
+    return smoothstep(radius, 0.6 * radius, away)
+
+
+def paint(level: Level, maps: dict[str, np.ndarray], seed: int) -> None:
+    """Write a patch to each layer; `maps` are those that `cove.height` returns."""
+    rows, cols = level.grid.shape
+    x, y = np.meshgrid(np.arange(cols, dtype=float), np.arange(rows, dtype=float))
+    river(level, {name: values[VALLEY.slices] for name, values in maps.items()}, *at(VALLEY, x, y), seed)
+    near = {name: values[MOUTH.slices] for name, values in maps.items()}
+    beach(level, near, *at(MOUTH, x, y), seed)
+    blots(level, near, *at(MOUTH, x, y), seed)
+    sky(level, seed)
+
+
+def at(rect: Rect, *arrays: np.ndarray) -> list[np.ndarray]:
+    return [array[rect.slices] for array in arrays]
+
+
+def river(level: Level, near: dict, x, y, seed: int) -> None:
+    """Surface, mask, current and foam of the river, from the edge of the level into the first metres of the sea."""
+    past, aside = near["past_m"], near["river_m"]
+    ground = level.height[VALLEY.slices]
+    surface = PchipInterpolator(*SURFACE.T)(np.clip(past, -600, 80))
+    depth = surface - ground
+    mask = smoothstep(-0.02, 0.06, depth) * smoothstep(14, 9, np.abs(aside)) * smoothstep(24, -14, past)
+    level.write("river_surface", VALLEY, surface)
+    level.write("river_mask", VALLEY, mask)
+    fall = np.clip(-np.gradient(surface, axis=0), 0, 1) + 0.02 * smoothstep(0.9, 0.2, depth)
+    speed = mask * np.minimum(0.55 + 16 * fall, 1.9) * smoothstep(0.0, 0.5, depth)
+    jet = smoothstep(16, 3, np.abs(aside)) * smoothstep(-20, 0, past) * smoothstep(58, 15, past)
+    along = np.stack([near["river_east"], near["river_north"]], axis=-1)
+    drift = shore_drift(near, past)
+    level.write("flow", VALLEY, along * (speed + 0.7 * jet * (1 - mask))[..., None] + drift)
+    calm = mask * smoothstep(0.55, 0.1, depth) * smoothstep(-0.1, 0.4, fbm(x, y, 13, 3, seed + 1))
+    rough = mask * smoothstep(0.03, 0.075, fall) * (0.6 + 0.4 * fbm(x, y, 5, 3, seed + 2))
+    level.write("river_foam", VALLEY, np.clip(np.stack([0.8 * calm, rough], axis=-1), 0, 1))
+
+
+def shore_drift(near: dict, past: np.ndarray) -> np.ndarray:
+    """A current along the beach towards the east, from the swash to the bar, held off by the river's mouth."""
+    belt = smoothstep(6, -6, near["inland"]) * smoothstep(-62, -30, near["inland"])
+    belt = belt * smoothstep(10, 32, np.abs(near["river_m"]))
+    return 0.42 * belt[..., None] * np.stack([near["shore_east"], near["shore_north"]], axis=-1)
+
+
+def beach(level: Level, near: dict, x, y, seed: int) -> None:
+    """Painted sea foam, ground cover, and the masks that follow the beach."""
+    inland, aside = near["inland"], np.abs(near["river_m"])
+    streaks = smoothstep(-0.15, 0.35, fbm(x * 0.5, y, 12, 3, seed + 3))
+    riding = 0.75 * streaks * smoothstep(4, -4, inland) * smoothstep(-40, -14, inland) * smoothstep(590, 572, x)
+    froth = 0.85 * np.maximum(disc(x, y, 565, 421, 8, seed + 4), 0.6 * disc(x, y, 643, 431, 6, seed + 5))
+    level.write("foam", MOUTH, np.stack([riding, froth], axis=-1))
+    first, _, _ = worley(x, y, 5.0, seed + 6)
+    tufts = smoothstep(0.55, 0.2, first) * smoothstep(34, 48, inland) * smoothstep(9, 15, aside)
+    wet = smoothstep(15, 10, aside) * smoothstep(3, 12, inland)
+    pebbles = (
+        0.7 * smoothstep(0.1, 0.5, fbm(x, y, 17, 3, seed + 7)) * smoothstep(20, 12, aside) * smoothstep(12, 22, inland)
+    )
+    cover = np.stack([np.zeros_like(x), pebbles, 0.9 * tufts, 0.8 * wet], axis=-1)
+    level.write("cover", MOUTH, cover)
+    level.write("yielding", MOUTH, smoothstep(2, 9, inland) * smoothstep(46, 34, inland) * smoothstep(16, 21, aside))
+    level.write("quiet", MOUTH, disc(x, y, 622, 447, 15, seed + 8))
+
+
+def blots(level: Level, near: dict, x, y, seed: int) -> None:
+    """One soft blot each for the layers that no sample weather needs yet."""
+    level.write("puddle_keepout", MOUTH, disc(x, y, 588, 462, 9, seed + 10))
+    level.write("shelter", MOUTH, disc(x, y, 577, 452, 6, seed + 11))
+    level.write("snow", MOUTH, 0.55 * disc(x, y, 604, 470, 7, seed + 12))
+    level.write("ice", MOUTH, 0.8 * disc(x, y, 633, 486, 12, seed + 13) * smoothstep(12, 9, np.abs(near["river_m"])))
+    level.write("corruption", MOUTH, disc(x, y, 596, 424, 12, seed + 14))
+
+
+def sky(level: Level, seed: int) -> None:
+    """A field of fair cumulus out to sea, south-west of the level; the grid wraps and its corner is the level's."""
+    side, from_row, from_col = 96, -84, -80
+    col, row = np.meshgrid(np.arange(side, dtype=float), np.arange(side, dtype=float))
+    edge = smoothstep(
+        48, 26, np.sqrt(np.square(row - 47.5) + np.square(col - 47.5)) + 9 * fbm(col, row, 40, 3, seed + 20)
+    )
+    clumps = smoothstep(-0.25, 0.75, fbm(col, row, 17, 4, seed + 21))
+    values = (
+        np.stack([0.62 * clumps * edge, 0 * edge, 0.45 + 0.15 * clumps, 0.9 * edge], axis=-1) * (edge > 0)[..., None]
+    )
+    rows, cols = WEATHER_GRID.shape
+    for part_row in wrapped(from_row, side, rows):
+        for part_col in wrapped(from_col, side, cols):
+            (r, r0, r1), (c, c0, c1) = part_row, part_col
+            level.write("weather", Rect(r, c, r + r1 - r0, c + c1 - c0), values[r0:r1, c0:c1])
+
+
+def wrapped(start: int, count: int, period: int) -> list[tuple[int, int, int]]:
+    """(start on the grid, first, one past last) of the pieces of a run that wraps."""
+    start %= period
+    first = min(count, period - start)
+    return [(start, 0, first)] + ([(0, first, count)] if first < count else [])

@@ -1,0 +1,79 @@
+"""Make the sample levels from a seed: `python sample_levels/make.py [cove] [island] [--out DIR]`."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+import cove  # noqa: E402
+import cove_paint  # noqa: E402
+from shorewright.level import Grid, Level, Settings  # noqa: E402
+from shorewright.level.objects import Camera, Disturbance  # noqa: E402
+
+SEED = 7
+STEP_M = 1 / 1024  # heights are whole multiples of it: the same on every machine, and half the bytes
+
+COVE_CAMERAS = [
+    Camera(id="play", x=648, y=468, z=52, yaw_deg=232, pitch_deg=-55, fov_deg=45),
+    Camera(id="beach", x=470, y=428, z=1.9, yaw_deg=245, pitch_deg=-2, fov_deg=50),
+    Camera(id="survey", x=590, y=890, z=300, yaw_deg=189, pitch_deg=-24, fov_deg=52),
+]
+COVE_SETTINGS = {
+    "level.seed": SEED,
+    "shore.interval_s": 8.0,
+    "shore.height_m": 0.6,
+    "sea.swell_heading_deg": 12.0,
+}
+
+
+def build(base: np.ndarray, settings: dict[str, object], cameras: list[Camera]) -> Level:
+    """A level of 1 m cells with heights rounded to STEP_M."""
+    rounded = (np.round(base / STEP_M) * STEP_M).astype(np.float32)
+    level = Level(Grid(*base.shape), rounded, Settings())
+    for path, value in settings.items():
+        level.set(path, value)
+    for camera in cameras:
+        level.put_object(camera.id, camera)
+    return level
+
+
+def make_cove(seed: int = SEED) -> Level:
+    """The bay: headland, beach, river mouth, a patch of paint in each layer, disturbances before `play`."""
+    ground, maps = cove.height(seed)
+    level = build(ground, COVE_SETTINGS, COVE_CAMERAS)
+    cove_paint.paint(level, maps, seed + 100)
+    pushes = [(0.5, 604, 428, 4.0, 3.5), (2.0, 588, 430, 2.5, 2.0)]
+    pushes += [(1.0 + 0.75 * k, 576 + 2.4 * k, 436 - 1.5 * k, 1.6, 1.2) for k in range(8)]  # somebody wades out
+    for index, (time_s, x, y, radius_m, strength) in enumerate(pushes):
+        name = f"push-{index:02d}"
+        level.put_object(name, Disturbance(id=name, x=x, y=y, time_s=time_s, radius_m=radius_m, strength=strength))
+    return level
+
+
+LEVELS = {"cove": make_cove}
+
+
+def main() -> None:
+    from shorewright.io import write_level
+
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("names", nargs="*", choices=[[], *LEVELS], help="which levels; all when none is named")
+    parser.add_argument("--out", type=Path, default=HERE, help="folder that takes the levels")
+    arguments = parser.parse_args()
+    for name in arguments.names or LEVELS:
+        start = time.perf_counter()
+        level = LEVELS[name]()
+        write_level(level, arguments.out / f"{name}.shore")
+        low, high = level.height.min(), level.height.max()
+        print(f"{name}.shore: {low:.1f} to {high:.1f} m, {time.perf_counter() - start:.0f} s")
+
+
+if __name__ == "__main__":
+    main()
