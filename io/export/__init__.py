@@ -1,1 +1,68 @@
+"""Exporters: a level as files that an engine reads, each with a manifest that says how far off it was measured to be.
 
+paths = export(level, "unreal", "out/cove_unreal", name="cove")
+findings = check("out/cove_unreal")          # [] when every byte decodes to what the manifest says
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+import numpy as np
+
+from ...level import BadInput, Level
+from . import raw, unreal
+from .folder import staged
+from .job import Exporter, Job, file_stem
+from .manifest import SUFFIX, write
+from .verify import check
+
+__all__ = ["EXPORTERS", "Exporter", "check", "export", "file_stem"]
+
+EXPORTERS: dict[str, Exporter] = {
+    row.name: row
+    for row in (
+        Exporter(
+            "unreal",
+            "Unreal",
+            "A square 16-bit height map for Landscape, the sea at Z 0, with the values to type into the import dialog.",
+            unreal.MAPS,
+            unreal.export,
+        ),
+        Exporter(
+            "raw",
+            "Raw files",
+            "The level's own samples as 16-bit and float height maps, the ground as GLB, every written layer as .vti.",
+            raw.MAPS,
+            raw.export,
+        ),
+    )
+}
+
+
+def export(
+    level: Level,
+    target: str,
+    out_dir: str | Path,
+    only: Iterable[str] | str | None = None,
+    name: str = "level",
+) -> list[Path]:
+    """Write the files of a target into `out_dir` and return their paths, the manifest last.
+
+    `name` (a level folder's name will do) begins every file name; `only` picks maps. The folder appears whole or not
+    at all and then holds exactly what its manifest lists. BadInput: unknown target or map, a level the target cannot
+    hold, a folder with other things in it, a disk that refuses.
+    """
+    if target not in EXPORTERS:
+        raise BadInput(f"there is no export target {target!r}; use one of: {', '.join(EXPORTERS)}")
+    exporter = EXPORTERS[target]
+    chosen = exporter.choose(only)
+    if not np.isfinite(level.height).all():
+        raise BadInput("the height of this level holds values that are no numbers; fill them before exporting")
+    stem = file_stem(name)
+    out = Path(out_dir)
+    with staged(out, stem + SUFFIX, target) as folder:
+        manifest = exporter.function(Job(level, stem, folder, chosen))
+        write(folder / (stem + SUFFIX), manifest)
+    return [out / file.name for file in manifest.files] + [out / (stem + SUFFIX)]

@@ -1,0 +1,86 @@
+"""Sampling, resampling and quantising of maps, in blocks of rows so that an 8129² map never lies in memory twice.
+
+Quantise once, with `round()`: exporters that truncate lose up to a whole step and clip the peak.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from pathlib import Path
+
+import numpy as np
+
+BLOCK_ROWS = 256
+TOP = 65535  # the largest 16-bit value
+Block = tuple[slice, np.ndarray]
+
+
+def bilinear(samples: np.ndarray, rows_at: np.ndarray, cols_at: np.ndarray) -> Iterator[Block]:
+    """Blocks `(slice of rows, float64 (rows, cols))` of `samples` read at fractional rows × columns.
+
+    Between samples the ground is the bilinear surface the editor draws; positions outside are held at the edge.
+    """
+    row, row_part = _split(rows_at, samples.shape[0])
+    col, col_part = _split(cols_at, samples.shape[1])
+    for start in range(0, len(row), BLOCK_ROWS):
+        block = slice(start, min(start + BLOCK_ROWS, len(row)))
+        lower = np.asarray(samples[row[block]], np.float64)
+        upper = np.asarray(samples[row[block] + 1], np.float64)
+        along = lower + (upper - lower) * row_part[block, None]
+        left = along[:, col]
+        yield block, left + (along[:, col + 1] - left) * col_part
+
+
+def _split(positions: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """Whole index (so that index + 1 exists) and remainder of fractional positions."""
+    held = np.clip(np.asarray(positions, np.float64), 0, count - 1)
+    whole = np.minimum(held.astype(np.intp), count - 2)
+    return whole, held - whole
+
+
+def quantise(values: np.ndarray, low: float, step: float) -> np.ndarray:
+    """`round((values - low) / step)` as little-endian uint16; ValueError where it leaves 0 … 65535."""
+    levels = np.rint((values - low) / step)
+    if levels.min() < 0 or levels.max() > TOP:
+        raise ValueError(
+            f"values {values.min()} to {values.max()} leave the 16-bit range from {low} in steps of {step}"
+        )
+    return levels.astype("<u2")
+
+
+def write_u16(path: Path, blocks: Iterable[Block], low: float, step: float) -> None:
+    """Headerless little-endian uint16, row-major, in the order the blocks come."""
+    with path.open("xb") as file:
+        for _, values in blocks:
+            file.write(quantise(values, low, step).tobytes())
+
+
+def open_u16(path: Path, rows: int, cols: int) -> np.ndarray:
+    """The words of a headerless file, mapped, `(rows, cols)` uint16; ValueError when its size is another."""
+    size = path.stat().st_size
+    if size != rows * cols * 2:
+        raise ValueError(f"{path.name} holds {size} bytes, {cols} × {rows} samples of 16 bits are {rows * cols * 2}")
+    return np.memmap(path, "<u2", "r", shape=(rows, cols))
+
+
+def differences(blocks: Iterable[Block], truth: Iterable[Block], decode: Callable = np.asarray) -> tuple[float, float]:
+    """The largest and the root mean square of decode(block) − truth over two walks of the same shape."""
+    worst, squares, count = 0.0, 0.0, 0
+    for (_, values), (_, wanted) in zip(blocks, truth, strict=True):
+        off = decode(values) - wanted
+        worst = max(worst, float(np.abs(off).max()))
+        squares += float(np.square(off).sum())
+        count += off.size
+    return worst, (squares / count) ** 0.5
+
+
+def largest_difference(blocks: Iterable[Block], truth: Iterable[Block], decode: Callable = np.asarray) -> float:
+    """The largest |decode(block) − truth| over two walks of the same shape."""
+    return differences(blocks, truth, decode)[0]
+
+
+def row_blocks(samples: np.ndarray) -> Iterator[Block]:
+    """The samples themselves, as float64 blocks of rows."""
+    for start in range(0, samples.shape[0], BLOCK_ROWS):
+        block = slice(start, min(start + BLOCK_ROWS, samples.shape[0]))
+        yield block, np.asarray(samples[block], np.float64)

@@ -1,0 +1,169 @@
+"""What a manifest holds, field by field, as pydantic models that both the exporters and the check go through."""
+
+from __future__ import annotations
+
+from typing import Any, Literal
+
+from pydantic import BaseModel, ConfigDict, Field
+
+from ... import __version__
+from ...level.grid import MAX_SIDE
+
+SCHEMA = "shorewright.export"
+SCHEMA_VERSION = 1
+
+
+class Record(BaseModel):
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
+
+
+class Tool(Record):
+    name: str = "Shorewright"
+    version: str = __version__
+    commit: str | None = None
+
+
+class Source(Record):
+    """The level that was exported; `sha256` is over what it holds, saved or not (`source_sha256`)."""
+
+    name: str
+    sha256: str
+    rows: int = Field(ge=2, le=MAX_SIDE)
+    cols: int = Field(ge=2, le=MAX_SIDE)
+    cell_m: float = Field(gt=0)
+    georeference: dict[str, Any] = {}
+
+
+class World(Record):
+    """Where the level lies; `size_m` is (east, north) from its first to its last sample."""
+
+    size_m: tuple[float, float]
+    origin: str
+    axes: str
+    row_0: Literal["north", "south"]
+    sea_level_m: float
+    height_min_m: float
+    height_max_m: float
+
+
+class LevelPart(Record):
+    """Which part of a square landscape is the level; the rest continues its southern or eastern edge."""
+
+    cols: int
+    rows: int
+    east_cm: float
+    south_cm: float
+    outside: str
+
+
+class UnrealScale(Record):
+    """What Unreal's landscape is given; `dialog_*` is the centre, where its import dialog wants the location."""
+
+    resolution: int
+    quads_per_section: int
+    sections_per_component: str
+    components: str
+    sample_spacing_m: float
+    scale_x: float
+    scale_y: float
+    scale_z: float
+    actor_x_cm: float = 0.0
+    actor_y_cm: float = 0.0
+    actor_z_cm: float = 0.0
+    dialog_x_cm: float
+    dialog_y_cm: float
+    dialog_z_cm: float = 0.0
+    sea_level_v: int = 32768
+    sea_level_z_cm: float = 0.0
+    level_part: LevelPart
+
+
+class Tiles(Record):
+    rows: int = 1
+    cols: int = 1
+    shared_edge: bool = True
+
+
+class Waves(Record):
+    """The moment and the waves the level was at; a height map depends on none of it, wave code does."""
+
+    time_s: float = 0.0
+    seed: int
+    sea: dict[str, Any]
+    shore: dict[str, Any]
+
+
+class Channel(Record):
+    name: str
+    meaning: str
+    unit: str
+    neutral: float | None = None
+
+
+class Decode(Record):
+    formula: str
+    numbers: dict[str, float] = {}
+
+
+class Mesh(Record):
+    vertices: int
+    triangles: int
+    triangle_budget: int
+    stride: int
+    surface_error_cm: float
+
+
+class FileRecord(Record):
+    """One file: `max_error_cm` is measured on the bytes written, decoded by `decode`, against the level.
+
+    That is at the file's samples. Where a size an engine prescribes put them between the level's, `…_at_level_samples`
+    says what is left of the level's own samples when the file is read back at their places.
+    """
+
+    name: str
+    map: str
+    doc: str
+    size_bytes: int = Field(ge=0)
+    sha256: str = Field(pattern="^[0-9a-f]{64}$")
+    width: int = Field(ge=0, le=MAX_SIDE)
+    height: int = Field(ge=0, le=MAX_SIDE)
+    bit_depth: int
+    sample_type: Literal["uint16", "float32"]
+    endianness: Literal["little"] = "little"
+    row_0: Literal["north", "south"] | None
+    colour_space: Literal["linear"] = "linear"
+    channels: list[Channel]
+    decode: Decode
+    quantisation_step_cm: float | None = None
+    max_error_cm: float = Field(ge=0)
+    max_error_at_level_samples_cm: float | None = Field(None, ge=0)
+    rms_error_at_level_samples_cm: float | None = Field(None, ge=0)
+    mesh: Mesh | None = None
+
+
+class Probe(Record):
+    """The level's own ground at one sample of the exported height map, for a check without the level."""
+
+    col: int
+    row: int
+    x_m: float
+    y_m: float
+    height_m: float
+
+
+class Manifest(Record):
+    schema_name: Literal["shorewright.export"] = Field(SCHEMA, alias="schema")
+    schema_version: int = SCHEMA_VERSION
+    tool: Tool
+    target: str
+    source: Source
+    world: World
+    engine: UnrealScale | None = None
+    tiles: Tiles = Tiles()
+    waves: Waves
+    files: list[FileRecord]
+    probes: list[Probe] = []
+    import_recipe: list[str]
+    notes: list[str] = []
+
+    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, populate_by_name=True)

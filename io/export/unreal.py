@@ -1,0 +1,236 @@
+"""Unreal: one square `NAME_height.r16` for Landscape > Import from File, and the values to type into that dialog.
+
+Facts from research, authoring 4: sizes are Epic's recommended ones; `.r16` is headerless little-endian uint16, row 0 =
+least Y = north; `z_cm = (v - 32768) / 128 × ScaleZ + ActorZ`; axes +X east, +Y south, +Z up, centimetres.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ...level import BadInput
+from . import maps
+from .job import Job
+from .manifest import describe, describe_file
+from .records import Channel, Decode, FileRecord, LevelPart, Manifest, Probe, UnrealScale
+
+MAPS = (("height", "The ground, 16 bits, at the size Unreal recommends."),)
+MID = 32768  # the value of z = 0, which is the sea
+HIGHEST = 256 - 1 / 128  # metres above, and 256 below, at ScaleZ 100
+FORMULA = "z_cm = (v - 32768) / 128 * ScaleZ + ActorZ"
+
+
+class LandscapeSize(NamedTuple):
+    """A recommended size: `samples` = components × sections × quads + 1 along a side."""
+
+    samples: int
+    quads: int
+    sections: int
+    components: int
+
+
+SIZES = (
+    LandscapeSize(127, 63, 2, 1),
+    LandscapeSize(253, 63, 2, 2),
+    LandscapeSize(505, 63, 2, 4),
+    LandscapeSize(1009, 63, 2, 8),
+    LandscapeSize(2017, 63, 2, 16),
+    LandscapeSize(4033, 63, 2, 32),
+    LandscapeSize(8129, 127, 2, 32),
+)
+
+
+def landscape_size(samples: int) -> LandscapeSize:
+    """The smallest size with at least `samples` a side; BadInput past the largest."""
+    for size in SIZES:
+        if size.samples >= samples:
+            return size
+    raise BadInput(
+        f"this level has {samples} samples along its longer side and Unreal's largest landscape has "
+        f"{SIZES[-1].samples}: crop or resize it first (`shorewright crop`, `shorewright resize`)"
+    )
+
+
+def smallest_scale_z(low_m: float, high_m: float) -> float:
+    """The smallest ScaleZ that holds low … high metres about the sea, rounded up to the six digits one can type.
+
+    Level ground at sea level needs none, so it gets the engine's default of 100.
+    """
+    scale = 100 * max(-low_m / 256, high_m / HIGHEST)
+    return max(math.ceil(scale * 1e6 - 1e-7), 1) / 1e6 if scale > 0 else 100.0
+
+
+def decode_cm(values: np.ndarray, scale_z: float, actor_z_cm: float = 0.0) -> np.ndarray:
+    """What Unreal makes of the words of a height map: `LANDSCAPE_ZSCALE` is 1/128, `MidValue` 32768."""
+    return (np.asarray(values, np.float64) - MID) / 128 * scale_z + actor_z_cm
+
+
+class Square(NamedTuple):
+    """Where a square of `size` samples reads the level: fractional `rows_at` from the north, `cols_at` from the west.
+
+    A level that isn't square keeps cells as long as wide and lies in the north-west corner; south or east of it the
+    edge goes on. ScaleX ≠ ScaleY would add no ground, but Unreal's handles couple the two, textures laid by landscape
+    coordinates would be stretched, and brushes would turn into ellipses. Seabed that goes on surprises nobody, and
+    the manifest says where it starts.
+    """
+
+    size: LandscapeSize
+    rows_at: np.ndarray
+    cols_at: np.ndarray
+    spacing_m: float
+    part: LevelPart
+
+
+def square_over(rows: int, cols: int, cell_m: float) -> Square:
+    """The smallest square that loses no resolution: as many samples as the longer side, none farther apart.
+
+    It is as long as the level's longer side, so a square level fills it to the last sample.
+    """
+    longer = max(rows, cols)
+    size = landscape_size(longer)
+    along = np.linspace(0, longer - 1, size.samples)
+    part = LevelPart(
+        cols=int((along <= cols - 1 + 1e-9).sum()),
+        rows=int((along <= rows - 1 + 1e-9).sum()),
+        east_cm=100 * (cols - 1) * cell_m,
+        south_cm=100 * (rows - 1) * cell_m,
+        outside="the whole square is the level" if rows == cols else "continues the edge of the level",
+    )
+    rows_at = (rows - 1) - np.minimum(along, rows - 1)
+    return Square(size, rows_at, np.minimum(along, cols - 1), (longer - 1) * cell_m / (size.samples - 1), part)
+
+
+def export(job: Job) -> Manifest:
+    """Write the height map and say everything about it; BadInput for a level larger than Unreal takes."""
+    level = job.level
+    height, sea = level.height, level.sea_level_m
+    square = square_over(*level.grid.shape, level.grid.cell_m)
+    scale = _scale(square, float(height.min()) - sea, float(height.max()) - sea)
+    step_m = scale.scale_z / 12800
+    path = job.folder / f"{job.name}_height.r16"
+    ground = ((rows, z - sea) for rows, z in maps.bilinear(height, square.rows_at, square.cols_at))
+    maps.write_u16(path, ground, -MID * step_m, step_m)
+    record = _record(job, path, square, scale)
+    return Manifest(
+        target="unreal",
+        engine=scale,
+        files=[record],
+        probes=_probes(job, square),
+        import_recipe=_recipe(path.name, scale),
+        notes=_notes(level.grid.shape, scale, record),
+        **describe(
+            level,
+            job.name,
+            "north",
+            origin="north-west corner of the level at the landscape actor, X 0 Y 0; Z 0 is the sea",
+            axes="+X east, +Y south, +Z up, left-handed, centimetres; X = 100 x, Y = 100 (size_north - y), "
+            "Z = 100 (height - sea level) for x, y, height of the level in metres",
+        ),
+    )
+
+
+def _scale(square: Square, low_m: float, high_m: float) -> UnrealScale:
+    size = square.size
+    scale_xy = 100 * square.spacing_m
+    return UnrealScale(
+        resolution=size.samples,
+        quads_per_section=size.quads,
+        sections_per_component=f"{size.sections}x{size.sections}",
+        components=f"{size.components}x{size.components}",
+        sample_spacing_m=square.spacing_m,
+        scale_x=scale_xy,
+        scale_y=scale_xy,
+        scale_z=smallest_scale_z(low_m, high_m),
+        dialog_x_cm=scale_xy * (size.samples - 1) / 2,
+        dialog_y_cm=scale_xy * (size.samples - 1) / 2,
+        level_part=square.part,
+    )
+
+
+def _record(job: Job, path, square: Square, scale: UnrealScale) -> FileRecord:
+    level, count = job.level, square.size.samples
+    words = maps.open_u16(path, count, count)
+    sea = level.sea_level_m
+
+    def decode(values):
+        return decode_cm(values, scale.scale_z, scale.actor_z_cm) / 100 + sea
+
+    truth = maps.bilinear(level.height, square.rows_at, square.cols_at)
+    error_m = maps.largest_difference(maps.row_blocks(words), truth, decode)
+    # The other way round: what is left of the level's own samples when the landscape is read back at their places.
+    longer = max(level.grid.shape) - 1
+    back = (count - 1) / longer
+    north_first = level.height[::-1]
+    read_back = maps.bilinear(words, np.arange(level.grid.rows) * back, np.arange(level.grid.cols) * back)
+    kept_m, kept_rms_m = maps.differences(read_back, maps.row_blocks(north_first), decode)
+    return describe_file(
+        path,
+        map="height",
+        doc=MAPS[0][1],
+        width=count,
+        height=count,
+        bit_depth=16,
+        sample_type="uint16",
+        row_0="north",
+        channels=[Channel(name="height", meaning="height above the sea", unit="cm", neutral=MID)],
+        decode=Decode(formula=FORMULA, numbers={"ScaleZ": scale.scale_z, "ActorZ": scale.actor_z_cm}),
+        quantisation_step_cm=scale.scale_z / 128,
+        max_error_cm=100 * error_m,
+        max_error_at_level_samples_cm=100 * kept_m,
+        rms_error_at_level_samples_cm=100 * kept_rms_m,
+    )
+
+
+def _probes(job: Job, square: Square) -> list[Probe]:
+    """The level's ground at a 5 × 5 of the exported samples."""
+    level, last = job.level, square.size.samples - 1
+    at = np.unique(np.round(np.linspace(0, last, 5)).astype(int))
+    values = np.concatenate([z for _, z in maps.bilinear(level.height, square.rows_at[at], square.cols_at[at])])
+    north = level.grid.extent_m[1]
+    return [
+        Probe(
+            col=int(col),
+            row=int(row),
+            x_m=float(col * square.spacing_m),
+            y_m=float(north - row * square.spacing_m),
+            height_m=float(values[i, j]),
+        )
+        for i, row in enumerate(at)
+        for j, col in enumerate(at)
+    ]
+
+
+def _recipe(name: str, scale: UnrealScale) -> list[str]:
+    """What to do in the editor, in its own words, values to type included."""
+    count = scale.resolution
+    return [
+        "Landscape mode > Manage > New > Import from File",
+        f"Heightmap File: {name} ({count} x {count})",
+        f"Location: X {scale.dialog_x_cm:.6f} Y {scale.dialog_y_cm:.6f} Z {scale.dialog_z_cm:.6f} "
+        "(the dialog wants the centre; the actor then stands at X 0 Y 0 Z 0)",
+        f"Scale: X {scale.scale_x:.6f} Y {scale.scale_y:.6f} Z {scale.scale_z:.6f}",
+        f"Section Size: {scale.quads_per_section}x{scale.quads_per_section} Quads, "
+        f"Sections Per Component: {scale.sections_per_component}, Number of Components: {scale.components}",
+        "The sea lies at Z 0.",
+    ]
+
+
+def _notes(shape: tuple[int, int], scale: UnrealScale, record: FileRecord) -> list[str]:
+    """What an artist should know about a level that isn't square, or has another size than the landscape."""
+    notes, part, count = [], scale.level_part, scale.resolution
+    if shape[0] != shape[1]:
+        side = "south" if part.rows < part.cols else "east"
+        notes.append(
+            f"The level is the north-west {part.cols} x {part.rows} samples ({part.east_cm:g} cm east, "
+            f"{part.south_cm:g} cm south); {side} of it the level's edge goes on."
+        )
+    if max(shape) != count:
+        notes.append(
+            "The landscape's samples lie between the level's own: read back at those it is up to "
+            f"{record.max_error_at_level_samples_cm:.2f} cm off ({record.rms_error_at_level_samples_cm:.2f} cm rms). "
+            f"A level with {count} samples along its longer side goes over sample for sample."
+        )
+    return notes

@@ -1,0 +1,216 @@
+"""What the files of each target must decode to, beyond being the bytes that were written."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import numpy as np
+
+from ...level import BadInput
+from . import maps, meshes
+from .raw import R16_FORMULA, decode_r16
+from .records import FileRecord, Manifest
+from .unreal import FORMULA, MID, decode_cm, smallest_scale_z, square_over
+
+SLACK_CM = 1e-5  # float64 arithmetic on metres, not quantisation
+
+
+def _near(value: float, wanted: float) -> bool:
+    return abs(value - wanted) <= 1e-9 * max(abs(wanted), 1e-9)
+
+
+def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
+    """Findings about a landscape; `whole` are the listed files whose bytes are the ones written."""
+    if manifest.engine is None or len(manifest.files) != 1:
+        return ["an Unreal export has one height map and says how to scale it; this manifest does not"]
+    return [*_scale(manifest), *_landscape(manifest, whole)]
+
+
+def _scale(manifest: Manifest) -> Iterator[str]:
+    """The landscape's size and scale, worked out again from the level's size and range."""
+    scale, source, world = manifest.engine, manifest.source, manifest.world
+    try:
+        wanted = square_over(source.rows, source.cols, source.cell_m)
+    except BadInput as error:
+        yield str(error)
+        return
+    count = wanted.size.samples
+    if scale.resolution != count:
+        yield f"a landscape of {scale.resolution} samples a side is not the smallest that holds this level: {count}"
+    spacing = 100 * wanted.spacing_m
+    if not (_near(scale.scale_x, spacing) and _near(scale.scale_y, spacing)):
+        yield f"ScaleX {scale.scale_x} and ScaleY {scale.scale_y} should be {spacing}: 100 × world_m / (N - 1)"
+    low, high = world.height_min_m - world.sea_level_m, world.height_max_m - world.sea_level_m
+    smallest = smallest_scale_z(low, high)
+    if abs(scale.scale_z - smallest) > 2e-6:
+        yield f"ScaleZ {scale.scale_z} is not the smallest that holds {low} to {high} m: {smallest}"
+    if (scale.actor_z_cm, scale.sea_level_v, scale.sea_level_z_cm) != (0.0, MID, 0.0):
+        yield f"the sea has to lie at Z 0 = value {MID}"
+    if scale.level_part != wanted.part:
+        yield "the part of the landscape that is the level is stated wrongly"
+
+
+def _landscape(manifest: Manifest, whole: dict[str, Path]) -> Iterator[str]:
+    """The words of the height map, decoded with the engine's formula and the manifest's scale."""
+    record, scale, world = manifest.files[0], manifest.engine, manifest.world
+    numbers = {"ScaleZ": scale.scale_z, "ActorZ": scale.actor_z_cm}
+    if record.decode.formula != FORMULA or record.decode.numbers != numbers:
+        yield f"{record.name} is to be decoded by other numbers than the landscape's scale"
+    if (record.width, record.height) != (scale.resolution, scale.resolution):
+        yield f"{record.name} is {record.width} × {record.height}, the landscape {scale.resolution} a side"
+    yield from _step(record, scale.scale_z / 128)
+
+    def height_m(words):
+        return decode_cm(words, scale.scale_z, scale.actor_z_cm) / 100 + world.sea_level_m
+
+    yield from _words(manifest, record, whole, height_m)
+
+
+def _step(record: FileRecord, step_cm: float) -> Iterator[str]:
+    """The stated step is the format's, and rounding can be off by half of it at most."""
+    stated = record.quantisation_step_cm
+    if stated is None or abs(stated - step_cm) > 1e-9 * max(step_cm, 1):
+        yield f"{record.name} is said to have steps of {stated} cm; they are {step_cm} cm"
+    if record.max_error_cm > step_cm / 2 + SLACK_CM:
+        yield f"{record.name} is said to be {record.max_error_cm} cm off, more than half a step of {step_cm} cm"
+
+
+def _words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], height_m: Callable) -> Iterator[str]:
+    """Range and probes of a 16-bit height map."""
+    if record.name not in whole:
+        return
+    try:
+        words = maps.open_u16(whole[record.name], record.height, record.width)
+    except ValueError as error:
+        yield str(error)
+        return
+    allowed_m = (record.max_error_cm + SLACK_CM) / 100
+    yield from _range(manifest, record, height_m(words.min()), height_m(words.max()), allowed_m)
+    yield from _probes(manifest, record, lambda row, col: height_m(words[row, col]), allowed_m)
+
+
+def _range(manifest: Manifest, record: FileRecord, low: float, high: float, allowed_m: float) -> Iterator[str]:
+    world = manifest.world
+    if not (low >= world.height_min_m - allowed_m and high <= world.height_max_m + allowed_m):
+        yield (
+            f"{record.name} decodes to {float(low):.4f} … {float(high):.4f} m, "
+            f"the level has {world.height_min_m:.4f} … {world.height_max_m:.4f} m"
+        )
+
+
+def _probes(manifest: Manifest, record: FileRecord, height_at: Callable, allowed_m: float) -> Iterator[str]:
+    """The level's own ground, kept in the manifest, against what the file decodes to; the worst place is named."""
+    inside = [p for p in manifest.probes if 0 <= p.row < record.height and 0 <= p.col < record.width]
+    if not inside or len(inside) != len(manifest.probes):
+        yield f"the manifest has no probes that lie on {record.name}"
+        return
+    worst, probe = max(
+        ((abs(float(height_at(p.row, p.col)) - p.height_m), p) for p in inside), key=lambda pair: pair[0]
+    )
+    if not worst <= allowed_m:
+        yield (
+            f"{record.name} is {100 * worst:.4f} cm off the level at column {probe.col}, row {probe.row}; "
+            f"the manifest promises {record.max_error_cm:.4f} cm"
+        )
+
+
+# Raw
+
+
+def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
+    """Findings about raw files: each against the probes, the 16 bits and the mesh against the float map."""
+    findings: list[str] = []
+    ground: np.ndarray | None = None  # north first, metres, exact
+    by_suffix = {Path(record.name).suffix: record for record in manifest.files}
+    unknown = sorted(set(by_suffix) - {".r16", ".exr", ".vti", ".glb"})
+    if unknown or len(by_suffix) != len(manifest.files):
+        findings.append("the manifest lists files that are no part of a raw export")
+    for suffix, read in ((".exr", _read_exr), (".vti", _read_vti)):
+        if suffix in by_suffix and by_suffix[suffix].name in whole:
+            found, values = _exact(manifest, by_suffix[suffix], whole, read)
+            findings += found
+            ground = values if values is not None and not found else ground
+    if ".r16" in by_suffix:
+        findings += _raw_words(manifest, by_suffix[".r16"], whole, ground)
+    if ".glb" in by_suffix:
+        findings += _mesh(manifest, by_suffix[".glb"], whole, ground)
+    return findings
+
+
+def _read_exr(path: Path) -> np.ndarray:
+    from ..images import read_image
+
+    return read_image(path)[..., 0]
+
+
+def _read_vti(path: Path) -> np.ndarray:
+    image = meshes.read_vti(path)
+    cols, rows, _ = image.dimensions
+    return np.asarray(image.point_data["height"]).reshape(rows, cols)[::-1]
+
+
+def _exact(manifest: Manifest, record: FileRecord, whole: dict[str, Path], read: Callable):
+    """(findings, height north first) of a file that should hold the level's samples themselves."""
+    source = manifest.source
+    try:
+        values = read(whole[record.name])
+    except BadInput as error:
+        return [str(error)], None
+    if values.shape != (source.rows, source.cols) or (record.height, record.width) != values.shape:
+        return [f"{record.name} holds {values.shape[1]} × {values.shape[0]} samples, the level has another size"], None
+    allowed_m = (record.max_error_cm + SLACK_CM) / 100
+    found = [*_range(manifest, record, values.min(), values.max(), allowed_m)]
+    return [*found, *_probes(manifest, record, lambda row, col: values[row, col], allowed_m)], values
+
+
+def _raw_words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground) -> Iterator[str]:
+    world, numbers = manifest.world, record.decode.numbers
+    low, high = world.height_min_m, world.height_max_m
+    if record.decode.formula != R16_FORMULA or numbers != {"min_m": low, "max_m": high}:
+        yield f"{record.name} is to be decoded by another range than the level's"
+        return
+    if (record.width, record.height) != (manifest.source.cols, manifest.source.rows):
+        yield f"{record.name} is said to be {record.width} × {record.height}, the level has another size"
+        return
+    yield from _step(record, 100 * (high - low) / maps.TOP)
+    before = [*_words(manifest, record, whole, lambda words: decode_r16(words, low, high))]
+    yield from before
+    if before or ground is None or record.name not in whole:
+        return
+    words = maps.open_u16(whole[record.name], record.height, record.width)
+    blocks, truth = maps.row_blocks(words), maps.row_blocks(ground)
+    error_cm = 100 * maps.largest_difference(blocks, truth, lambda values: decode_r16(values, low, high))
+    if abs(error_cm - record.max_error_cm) > SLACK_CM:
+        yield f"{record.name} is {error_cm:.6f} cm off the float map; the manifest says {record.max_error_cm:.6f} cm"
+
+
+def _mesh(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground) -> Iterator[str]:
+    """Counts, extent, upward unit normals, and every vertex against the ground at its place."""
+    if record.name not in whole:
+        return
+    try:
+        positions, normals, faces = meshes.read_glb(whole[record.name])
+    except BadInput as error:
+        yield str(error)
+        return
+    stated = record.mesh
+    if stated is None or (len(positions), len(faces)) != (stated.vertices, stated.triangles):
+        yield f"{record.name} has {len(positions)} vertices and {len(faces)} triangles, the manifest says otherwise"
+    east, north = manifest.world.size_m
+    corners = np.array([[0, -north], [east, 0]])
+    found = np.array([positions[:, [0, 2]].min(axis=0), positions[:, [0, 2]].max(axis=0)])
+    slack = 1e-6 * max(east, north)
+    if not np.abs(found - corners).max() <= slack:
+        yield f"{record.name} does not reach from X 0 to {east} and from Z 0 to {-north}"
+        return
+    if not (np.isfinite(normals).all() and (normals[:, 1] > 0).all()):
+        yield f"{record.name} has normals that don't point up"
+    if ground is None:
+        return
+    cell = manifest.source.cell_m
+    row = np.clip(np.rint((north + positions[:, 2]) / cell), 0, ground.shape[0] - 1).astype(int)
+    col = np.clip(np.rint(positions[:, 0] / cell), 0, ground.shape[1] - 1).astype(int)
+    error_cm = 100 * float(np.abs(positions[:, 1] - ground[row, col]).max())
+    if not error_cm <= record.max_error_cm + SLACK_CM:
+        yield f"{record.name} is {error_cm:.4f} cm off the ground; the manifest promises {record.max_error_cm:.4f} cm"
