@@ -158,7 +158,7 @@ class LevelFolder:
             list(pool.map(lambda name: check_sector(paths[name], grid, name), paths))  # before memory is taken
             level = _fill(manifest, grid, paths, pool)
             hashes = dict(zip(paths, pool.map(file_hash, paths.values())))
-        known = _read_hashes(self._inside(HASHES, record))
+        known = read_hashes(self._inside(HASHES, record))
         changed = [str(paths[name]) for name in paths if known.get(name) != hashes[name]]
         if changed:
             more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
@@ -260,7 +260,7 @@ def _fill(manifest: Manifest, grid: Grid, paths: dict[str, Path], pool: ThreadPo
     return level
 
 
-def _read_hashes(path: Path) -> dict[str, str]:
+def read_hashes(path: Path) -> dict[str, str]:
     """The hashes of the last save; empty when they are gone or unreadable, which is told like any other change."""
     try:
         found = json.loads(path.read_bytes())
