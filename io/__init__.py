@@ -12,7 +12,7 @@ _HOME = {
     "Heightmap": "terrain_files",
     "EXPORTERS": "export",
     "export": "export",
-    "check": "check",
+    "check": "check_level",
 }
 __all__ = sorted(_HOME)
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import errno
 import json
 import os
+import shutil
 import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -35,6 +36,7 @@ from .lock import check_folder, make_folder, remove_empty, take
 from .transaction import RECORD, STAGE, Hook, Transaction, finish, pending, where
 
 HASHES = "layers/hashes.json"
+SPARE_BYTES = 1 << 20  # a disk with less left is full
 THREADS = min(8, os.cpu_count() or 2)
 
 
@@ -240,8 +242,11 @@ class LevelFolder:
         """The sentence for a save the disk refused; what was staged goes away unless it was already committed."""
         if (save.stage / RECORD).exists():
             return BadInput(f"{self.path} was saved, but tidying up failed ({error.strerror or error}): open it again")
+        full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+        if not error.errno:  # an image writer that only says it failed
+            full = shutil.disk_usage(self.path).free < SPARE_BYTES
         save.discard()
-        reason = "the disk is full" if error.errno in (errno.ENOSPC, errno.EDQUOT) else error.strerror or str(error)
+        reason = "the disk is full" if full else error.strerror or str(error)
         return BadInput(f"{self.path} cannot be saved: {reason}; what was saved before is untouched")
 
 
