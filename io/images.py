@@ -1,14 +1,17 @@
 """Images through OpenImageIO, with every trap of that road guarded.
 
-`write_image` writes what was asked or raises: OpenImageIO reports success on 2-D arrays it wrote as garbage, takes the
-last channel of a 2- or 4-channel PNG for alpha and multiplies with it, stamps the current date into EXR files, tags
-16-bit PNG as sRGB, and its `geterror()` can raise. Row 0 of every array here is the **top** of the picture.
+`write_image` writes what was asked or raises: OpenImageIO reports success on 2-D arrays it wrote as garbage and on a PNG
+that a full disk cut short, takes the last channel of a 2- or 4-channel PNG for alpha and multiplies with it, stamps the
+current date into files, tags 16-bit PNG as sRGB, and its `geterror()` can raise. Row 0 of every array here is the
+**top** of the picture.
 """
 
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
+import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -22,6 +25,7 @@ WRITABLE = (".png", ".exr", ".tif", ".tiff")
 READABLE = (*WRITABLE, ".bmp", ".jpg", ".jpeg", ".tga", ".hdr")
 DTYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float16, "float": np.float32}
 MAX_CHANNELS = 32
+SPARE_BYTES = 1 << 20  # a disk with less left is full
 
 
 @dataclass(frozen=True)
@@ -94,7 +98,7 @@ def write_image(
         encode(part, array, channels=channels, half=half, data=data, attributes=attributes)
         os.replace(part, path)
     except OSError as error:
-        raise BadInput(f"cannot write {path}: {error.strerror or error}") from None
+        raise BadInput(f"cannot write {path}: {disk_reason(error, path.parent)}") from None
     finally:
         with contextlib.suppress(OSError):
             part.unlink()
@@ -121,6 +125,27 @@ def encode(path: Path, array: np.ndarray, *, channels=None, half=False, data=Non
     closed = output.close()
     if not (done and closed):
         raise OSError(0, reason or error_of(output) or "the image was not written")
+    if path.suffix.lower() == ".png":
+        _check_written(path)
+
+
+def _check_written(path: Path) -> None:
+    """OSError for a PNG cut short: on a full disk OpenImageIO writes as much as fits and reports success."""
+    from .png_check import check_png
+
+    try:
+        check_png(path)
+    except BadInput as error:
+        raise OSError(0, str(error)) from None
+
+
+def disk_reason(error: OSError, folder: Path) -> str:
+    """Why a file could not be written; an image writer only says that it failed, so the disk is asked."""
+    full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+    if not error.errno:
+        with contextlib.suppress(OSError):
+            full = shutil.disk_usage(folder).free < SPARE_BYTES
+    return "the disk is full" if full else error.strerror or str(error)
 
 
 def _kind(path: Path, pixels: np.ndarray, half: bool) -> str:
@@ -136,11 +161,9 @@ def _kind(path: Path, pixels: np.ndarray, half: bool) -> str:
 
 def _set_attributes(spec, path: Path, kind: str, data: bool | None, attributes: Mapping[str, object]) -> None:
     suffix = path.suffix.lower()
-    if suffix == ".exr":
+    if suffix != ".png":
         spec.attribute("compression", "zip")
         spec.attribute("DateTime", "")  # otherwise the clock gets into the bytes
-    if suffix in (".tif", ".tiff"):
-        spec.attribute("compression", "zip")
     data = kind != "uint8" if data is None else data
     if suffix != ".exr":
         spec.attribute("oiio:ColorSpace", "data" if data else "srgb_rec709_scene")

@@ -7,10 +7,8 @@ as one transaction (`transaction.py`); editing takes a lock, reading takes none.
 
 from __future__ import annotations
 
-import errno
 import json
 import os
-import shutil
 import time
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
@@ -21,6 +19,7 @@ import numpy as np
 
 from ..level import BadInput, Grid, Level
 from . import level_json
+from .images import disk_reason
 from .level_json import BASE, Manifest
 from .level_sectors import (
     check_sector,
@@ -36,7 +35,6 @@ from .lock import check_folder, make_folder, remove_empty, take
 from .transaction import RECORD, STAGE, Hook, Transaction, finish, pending, where
 
 HASHES = "layers/hashes.json"
-SPARE_BYTES = 1 << 20  # a disk with less left is full
 THREADS = min(8, os.cpu_count() or 2)
 
 
@@ -242,11 +240,8 @@ class LevelFolder:
         """The sentence for a save the disk refused; what was staged goes away unless it was already committed."""
         if (save.stage / RECORD).exists():
             return BadInput(f"{self.path} was saved, but tidying up failed ({error.strerror or error}): open it again")
-        full = error.errno in (errno.ENOSPC, errno.EDQUOT)
-        if not error.errno:  # an image writer that only says it failed
-            full = shutil.disk_usage(self.path).free < SPARE_BYTES
+        reason = disk_reason(error, self.path)
         save.discard()
-        reason = "the disk is full" if full else error.strerror or str(error)
         return BadInput(f"{self.path} cannot be saved: {reason}; what was saved before is untouched")
 
 
