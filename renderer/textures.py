@@ -1,7 +1,7 @@
 """Uploads the generated textures that `shaders/lib` samples: noise, ground, ripple, foam and the sky's table.
 
 textures = Textures(ctx)
-textures.update(settings)           # once a frame: the sky follows the sun and the haze
+textures.update(level)              # once a frame: the sky follows the sun and the haze
 textures["u_noise"].use(location=3) # by sampler name
 """
 
@@ -10,7 +10,7 @@ from __future__ import annotations
 import moderngl
 import numpy as np
 
-from ..level import Settings
+from ..level import Level
 from ..level.textures import foam_texture, ground_texture, noise_texture, ripple_texture
 from .sky_table import sky_table
 
@@ -37,9 +37,9 @@ class Textures:
         """(sampler name, texture) of all."""
         return self._by_name.items()
 
-    def update(self, settings: Settings) -> None:
-        """Make the sky's table follow the light settings."""
-        light = settings.light
+    def update(self, level: Level) -> None:
+        """Make the sky's table follow the level's light settings."""
+        light = level.settings.light
         key = (light.sun_elevation_deg, light.turbidity)
         if key == self._sky_key:
             return

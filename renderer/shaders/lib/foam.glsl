@@ -39,12 +39,12 @@ struct Foam {
 // `crest` foam of breaking crests offshore; `flow` m/s.
 Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, float crest, vec2 flow, float pixel_m) {
     float patches = noise_at(before, 83.0, pixel_m).g * 0.65 + noise_at(before, 19.0, pixel_m).g * 0.35;
-    float torn = 0.45 + 1.1 * patches;
-    float front = saturate(0.95 * fall * (0.55 + 0.9 * patches));
-    float wake = saturate(back * (0.12 + 0.62 * patches));
-    float crown = saturate(line * line * (0.10 + 0.50 * patches));
-    float sheet = saturate(shore_edge * 0.42 * torn);
-    float rim = smoothstep(0.80, 0.97, shore_edge) * (0.35 + 0.5 * patches);
+    float torn = smoothstep(0.25, 0.75, patches);
+    float front = saturate(fall * (0.15 + 0.95 * torn));
+    float wake = back * (0.04 + 0.34 * torn);
+    float crown = line * line * (0.05 + 0.45 * torn);
+    float sheet = shore_edge * shore_edge * (0.08 + 0.30 * torn);
+    float rim = smoothstep(0.82, 0.97, shore_edge) * (0.25 + 0.5 * patches);
     float amount = 1.0 - (1.0 - front) * (1.0 - wake) * (1.0 - crown) * (1.0 - sheet) * (1.0 - rim) * (1.0 - saturate(crest));
     amount = saturate(amount * u_foam_amount);
     if (amount < 0.004) return Foam(0.0, 0.0, 0.0, 0.0);

@@ -68,8 +68,8 @@ Ground rock_ground(vec3 p, vec3 n, float height, float pixel_m, vec4 broad, vec4
     // beds of stone: bands of height, dipping and bent
     float bed = p.z + 0.11 * p.x - 0.07 * p.y + 3.2 * (broad.r - 0.5) + 0.8 * (far.z - 0.5);
     vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
-    vec3 tint = mix(vec3(0.155, 0.145, 0.135), vec3(0.30, 0.265, 0.225), band.g);
-    tint = mix(tint, vec3(0.33, 0.25, 0.18), 0.55 * smoothstep(0.62, 0.95, band.r));
+    vec3 tint = mix(vec3(0.19, 0.172, 0.152), vec3(0.37, 0.325, 0.265), band.g);
+    tint = mix(tint, vec3(0.40, 0.29, 0.19), 0.55 * smoothstep(0.62, 0.95, band.r));
     tint *= 0.55 + 0.42 * near.z + 0.35 * far.z + 0.22 * (near.w - 0.5);
     tint = mix(tint, vec3(0.34, 0.33, 0.26), 0.35 * smoothstep(0.72, 0.95, mid.g * 0.6 + near.w * 0.4)
                                                  * smoothstep(3.0, 9.0, height));  // lichen
@@ -113,8 +113,8 @@ Ground ground_at(vec3 position, vec3 normal, float height_above_sea, float wet, 
     float rise = length(normal.xy) / max(normal.z, 0.05);
     float ragged = (mid.g - 0.5) * 0.55 + (mid.b - 0.5) * 0.35 + (broad.r - 0.5) * 0.5;
 
-    float rock = smoothstep(0.80, 1.25, rise / u_ground_rock_slope + 0.5 * ragged);
-    float steep = smoothstep(0.85, 1.15, rise / u_ground_grass_slope + 0.4 * ragged);
+    float rock = smoothstep(0.85, 1.25, rise / u_ground_rock_slope + 0.5 * ragged);
+    float steep = smoothstep(0.95, 1.45, rise / u_ground_grass_slope + 0.7 * ragged);
     float dry_land = smoothstep(-1.0, 1.0, (h - u_ground_sand_top_m) / 0.9 + 2.2 * ragged);
     float grass = dry_land * (1.0 - steep);
     rock = max(rock, dry_land * steep);

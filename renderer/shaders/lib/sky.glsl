@@ -1,4 +1,5 @@
 // Sky and sun from the table that renderer/sky_table.py works out. Radiance in kcd/m², illuminance in klux.
+#include "lib/noise.glsl"
 
 uniform sampler2D u_sky;            // rows: sqrt(elevation / 90°), columns: azimuth from the sun, 0 … 180°
 uniform vec3 u_sun_direction;       // towards the sun
@@ -40,6 +41,23 @@ vec3 sun_disc(vec3 dir) {
     vec3 limb = pow(vec3(max(1.0 - r * r, 1e-3)) , 0.5 * vec3(0.397, 0.503, 0.652));
     vec3 disc = u_sun_illuminance / (3.14159265 * SUN_RADIUS * SUN_RADIUS) * limb * edge;
     return min(disc, vec3(30000.0)) * step(0.0, dir.z + 0.02);
+}
+
+// Faint high cirrus: streaks combed along one way, thin towards the zenith, gone at night. Adds to sky_radiance.
+vec3 sky_cirrus(vec3 dir) {
+    if (dir.z < 0.015) return vec3(0.0);
+    vec2 at = dir.xy / (dir.z + 0.10);
+    vec4 broad = textureLod(u_noise, at * vec2(0.050, 0.085) + 0.13, 1.0);
+    vec2 combed = vec2(at.x * 0.10 + at.y * 0.05, at.y * 0.42 - at.x * 0.17) + 0.05 * broad.gr;
+    vec4 streak = textureLod(u_noise, combed, 1.5);
+    vec4 wisp = textureLod(u_noise, combed * 2.7 + 0.41, 2.0);
+    float cover = smoothstep(0.48, 0.95, broad.r * 0.55 + streak.g * 0.30 + wisp.g * 0.22);
+    cover *= (0.35 + 0.65 * streak.r) * smoothstep(0.015, 0.16, dir.z);
+    // ice scatters forward: brighter near the sun
+    float cosine = dot(dir, u_sun_direction);
+    float phase = 0.055 + 0.30 * pow(max(cosine, 0.0), 6.0) + 1.1 * pow(max(cosine, 0.0), 60.0);
+    vec3 light = u_sun_illuminance * phase + u_sky_sh[0] * (0.282095 / 3.14159265);
+    return cover * 0.36 * light;
 }
 
 // Irradiance of sky and bounced ground light on a plane (order-2 harmonics).

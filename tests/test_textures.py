@@ -1,0 +1,87 @@
+"""The generated textures tile, are seeded and keep what the shaders count on (D04, H18, L07)."""
+
+import numpy as np
+import pytest
+from shorewright.level.textures import (
+    equalise,
+    foam_texture,
+    ground_texture,
+    noise_texture,
+    ripple_texture,
+    spectral_noise,
+    worley,
+)
+
+MAKERS = {"foam": foam_texture, "noise": noise_texture, "ground": ground_texture, "ripple": ripple_texture}
+
+
+@pytest.mark.parametrize("name", MAKERS)
+def test_the_seed_alone_decides(name):
+    make = MAKERS[name].__wrapped__  # past the cache
+    first = make(128, 3)
+    assert np.array_equal(first, make(128, 3))
+    assert not np.array_equal(first, make(128, 4))
+
+
+@pytest.mark.parametrize("name", MAKERS)
+def test_textures_tile(name):
+    """Across the border neighbours differ no more than inside: there is no seam."""
+    texture = MAKERS[name]().astype(float)
+    texture = texture if texture.ndim == 4 else texture[None]
+    for axis in (1, 2):
+        steps = np.abs(texture - np.roll(texture, 1, axis))
+        seam = steps.take(0, axis).mean((0, 1))
+        inside = steps.mean((0, 1, 2))
+        assert (seam < 1.6 * inside + 1e-6).all()
+
+
+@pytest.mark.parametrize("channel", [0, 1, 2])
+@pytest.mark.parametrize("amount", [0.1, 0.4, 0.8])
+def test_foam_covers_what_is_asked(channel, amount):
+    """H18: a threshold at 1 − amount leaves `amount` of the tile, whatever the density."""
+    fields = foam_texture()[..., channel] / 255
+    assert (fields > 1 - amount).mean() == pytest.approx(amount, abs=0.01)
+
+
+def test_thin_foam_is_lace_and_dense_foam_has_holes():
+    """Lace is threads: what covers a fifth of the water is gone when worn by two texels; dense foam is not."""
+    foam = foam_texture() / 255
+
+    def worn(mask, times=2):
+        for _ in range(times):
+            mask = mask & np.roll(mask, 1, 0) & np.roll(mask, -1, 0) & np.roll(mask, 1, 1) & np.roll(mask, -1, 1)
+        return mask.mean()
+
+    lace, dense = foam[..., 0] > 0.8, foam[..., 2] > 0.2
+    assert worn(lace) < 0.5 * lace.mean()
+    assert worn(dense) > 0.6 * dense.mean()
+
+
+def test_ripples_carry_their_variance_through_mip_levels():
+    """L07: slope² minus the squared mean slope is what a mip level lost; the whole is 1 at every level."""
+    ripple = ripple_texture().astype(float)
+    assert ripple[..., 2].mean() == pytest.approx(1, rel=1e-3)
+    half = ripple.reshape(16, 16, 16, 16, 4).mean((1, 3))
+    kept = (half[..., 0] ** 2 + half[..., 1] ** 2).mean()
+    lost = (half[..., 2] - half[..., 0] ** 2 - half[..., 1] ** 2).mean()
+    assert kept + lost == pytest.approx(1, rel=1e-3)
+    assert lost > 0.2
+    assert np.abs(ripple[..., :2].mean((0, 1))).max() < 1e-3
+
+
+def test_slopes_belong_to_the_height():
+    ripple = ripple_texture().astype(float)
+    height, size = ripple[..., 3], ripple.shape[0]
+    east = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) * size / 2
+    assert np.corrcoef(east.ravel(), ripple[..., 0].ravel())[0, 1] > 0.95
+
+
+def test_noise_helpers():
+    noise = spectral_noise(64, 1, 1.5)
+    assert noise.std() == pytest.approx(1)
+    first, second, _ = worley(64, 5, 1)
+    assert (second >= first).all()
+    ranks = equalise(noise)
+    assert ranks.min() == 0
+    assert ranks.max() == 1
+    assert ranks.mean() == pytest.approx(0.5)
