@@ -62,9 +62,7 @@ def _inside(level: Level, origin, direction) -> tuple[float, float] | None:
     height = level.height
     floor, top = float(height.min()) - 1.0, float(height.max()) + 1.0
     low, high = 0.0, math.inf
-    for start, way, first, last in zip(
-        origin, direction, (0.0, 0.0, floor), (*level.grid.extent_m, top), strict=True
-    ):
+    for start, way, first, last in zip(origin, direction, (0.0, 0.0, floor), (*level.grid.extent_m, top), strict=True):
         if abs(way) < 1e-12:
             if not first <= start <= last:
                 return None

@@ -1,0 +1,202 @@
+"""PASSES in drawing order: how a frame comes about. Read this first.
+
+Each row names a module in `passes/`, the shaders it draws with, what it reads and what it writes; `draw(frame)` of that
+module does it. Targets are described in targets.py, and each is a view (views.py).
+"""
+
+from __future__ import annotations
+
+import copy
+from dataclasses import dataclass, field
+from importlib import import_module
+
+import numpy as np
+
+from ..level import Level
+from ..level.objects import Camera
+from ..level.waves import largest_height_m
+from .camera import Matrices, camera_matrices
+from .quality import Tier, tier
+from .show import Overlays, Show
+from .views import View, find_view
+
+
+@dataclass(frozen=True)
+class Pass:
+    name: str
+    shaders: tuple[str, ...]
+    reads: tuple[str, ...]
+    writes: tuple[str, ...]
+    doc: str
+    ids: str = ""
+
+
+GBUFFER = ("g_albedo", "g_normal", "g_material", "g_emissive", "g_eye_depth", "g_before")
+UNDER = ("under_albedo", "under_normal", "under_eye_depth")
+
+PASSES: tuple[Pass, ...] = (
+    Pass("shadow", ("shadow.glsl",), ("u_height",), ("u_shadow",),
+         "Height of the land's shadow, kept while nothing changes."),
+    Pass("terrain", ("terrain.glsl",), ("u_height", "u_layer_cover"), GBUFFER, "Land into the G-buffer.", "D01"),
+    Pass("under", (), GBUFFER, UNDER, "Copies what lies under the water.", "D02"),
+    Pass("sea", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea into it.", "D01 D10 H05"),
+    Pass("horizon", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea beyond the mesh.", "H21"),
+    Pass("light", ("light.glsl",), (*GBUFFER, "u_shadow"), ("hdr",), "Lights land and water, once.", "D01"),
+    Pass("sky", ("sky.glsl",), ("g_eye_depth",), ("hdr",), "Sky where nothing was drawn."),
+    Pass("fog", ("fog.glsl",), ("hdr", "g_eye_depth"), ("picture",), "Haze over distance.", "D38"),
+    Pass("view", ("view.glsl",), (*GBUFFER, "hdr"), ("picture",), "Instead of it: a buffer or a mask.", "T11"),
+    Pass("display", ("display.glsl",), ("picture",), ("display",), "Exposure, tone curve, sRGB, dither."),
+    Pass("overlay", ("overlay.glsl", "lines.glsl"), ("g_eye_depth", "under_eye_depth"), ("display",),
+         "Brush ring, walkable depth, outline, lines.", "D31 D40"),
+)  # fmt: skip
+
+
+@dataclass
+class Frame:
+    """One picture in the making: everything a pass may read."""
+
+    renderer: Renderer
+    level: Level  # its settings are those of the show flags
+    camera: Camera
+    size: tuple[int, int]
+    time_s: float
+    view: View
+    show: Show
+    tier: Tier
+    overlays: Overlays
+    matrices: Matrices
+    targets: object
+    textures: dict
+    uniforms: dict = field(default_factory=dict)
+    stats: dict = field(default_factory=dict)
+
+    def shader(self, name: str, **defines: str):
+        """A program with this frame's uniforms and textures bound."""
+        from .uniforms import bind_textures, set_uniforms
+
+        shader = self.renderer.programs.get(name, **defines)
+        set_uniforms(shader.program, self.uniforms)
+        bind_textures(shader, self.textures)
+        return shader
+
+
+class Renderer:
+    """Draws levels with one OpenGL context; can be thrown away and made again at any frame."""
+
+    def __init__(self, ctx) -> None:
+        from .program import Programs
+        from .textures import Textures
+        from .upload import Uploader
+
+        self.ctx = ctx
+        self.programs = Programs(ctx)
+        self.uploader = Uploader(ctx)
+        self.generated = Textures(ctx)
+        self.targets: dict[tuple[int, int], object] = {}
+        self.meshes: dict[int, object] = {}
+        self.kept: dict[str, object] = {}  # what passes keep from frame to frame
+        self.stats: dict = {}
+
+    def draw(
+        self, level: Level, camera: Camera, size: tuple[int, int], time_s: float = 0.0, view: str = "final",
+        show: Show | None = None, quality: str = "medium", samples: int = 1, overlays: Overlays | None = None,
+    ):  # fmt: skip
+        """Draw a picture; returns the texture to show, RGBA8 `size`, its first row at the bottom.
+
+        `samples` > 1 averages that many pictures, each moved by a part of a pixel, in linear light.
+        """
+        row = find_view(view)
+        targets = self._targets(size)
+        for index in range(max(samples, 1)):
+            frame = self.prepare(level, camera, size, time_s, row, show, quality, overlays, jitter(index, samples))
+            self._run(frame, lambda name: name not in ("display", "overlay"))
+            if samples > 1:
+                self._accumulate(targets, index)
+        if samples > 1:
+            self._mean(targets, samples)
+        self._run(frame, lambda name: name in ("display", "overlay"))
+        self.stats = frame.stats
+        return targets.textures["display"]
+
+    def read(self, linear: bool = False) -> np.ndarray:
+        """The picture last drawn, row 0 on top: uint8 or (linear) float32 `(height, width, 3)`."""
+        targets = next(iter(self.targets.values()))
+        framebuffer, kind, dtype = (targets.picture, np.float32, "f4") if linear else (targets.display, np.uint8, "f1")
+        data = framebuffer.read(components=3, dtype=dtype, alignment=1)
+        width, height = targets.size
+        return np.frombuffer(data, kind).reshape(height, width, 3)[::-1].copy()
+
+    def prepare(
+        self, level: Level, camera: Camera, size, time_s: float, view: View, show: Show | None, quality: str,
+        overlays: Overlays | None, offset: tuple[float, float] = (0.0, 0.0),
+    ) -> Frame:  # fmt: skip
+        """Upload what changed and work out everything the passes share."""
+        from .uniforms import frame_uniforms
+
+        show, row = show or Show(), tier(quality)
+        shown = copy.copy(level)  # shares arrays and caches, has settings of its own
+        shown.settings = show.settings(level.settings)
+        self.uploader.sync(level)
+        self.generated.update(shown)
+        matrices = camera_matrices(camera, size, self._near(level, camera), offset)
+        targets = self._targets(size)
+        textures = {**self.uploader.textures, **dict(self.generated.items()), **targets.textures}
+        frame = Frame(
+            self, shown, camera, size, time_s, view, show, row, overlays or Overlays(), matrices, targets, textures
+        )
+        frame.uniforms = frame_uniforms(frame)
+        return frame
+
+    def _run(self, frame: Frame, wanted) -> None:
+        self.ctx.disable(self.ctx.DEPTH_TEST | self.ctx.BLEND | self.ctx.CULL_FACE)
+        for row in PASSES:
+            if wanted(row.name):
+                with self.ctx.debug_scope(row.name):
+                    import_module(f".passes.{row.name}", __package__).draw(frame)
+
+    def _near(self, level: Level, camera: Camera) -> float:
+        """Near plane: half the clearance over everything that can be drawn, never nearer than 0.1 m."""
+        top = max(float(self.uploader.bounds.range[1]) if self.uploader.bounds else camera.z, level.sea_level_m)
+        return float(np.clip(0.4 * (camera.z - top - 2 * largest_height_m(level)), 0.1, 200.0))
+
+    def _targets(self, size: tuple[int, int]):
+        from .targets import Targets
+
+        if size not in self.targets:
+            for old in self.targets.values():
+                old.release()
+            self.targets = {size: Targets(self.ctx, size)}
+        return self.targets[size]
+
+    def _accumulate(self, targets, index: int) -> None:
+        total = targets.total
+        if index == 0:
+            total.clear()
+        total.use()
+        self.ctx.enable(self.ctx.BLEND)
+        self.ctx.blend_func = self.ctx.ONE, self.ctx.ONE
+        self._copy(targets.textures["picture"], 1.0)
+        self.ctx.disable(self.ctx.BLEND)
+
+    def _mean(self, targets, samples: int) -> None:
+        targets.picture.use()
+        self._copy(targets.textures["total"], 1.0 / samples)
+
+    def _copy(self, texture, factor: float) -> None:
+        shader = self.programs.get("copy.glsl")
+        shader.program["u_factor"].value = factor
+        shader.program["u_source"].value = 0
+        texture.use(0)
+        shader.fullscreen()
+
+    def release(self) -> None:
+        """Give back everything on the GPU."""
+        for thing in (self.programs, self.uploader, self.generated, *self.targets.values(), *self.meshes.values()):
+            thing.release()
+
+
+def jitter(index: int, samples: int) -> tuple[float, float]:
+    """Where sample `index` of a picture stands in its pixel, −½ … ½: the R2 sequence (M. Roberts, 2018)."""
+    if samples <= 1:
+        return 0.0, 0.0
+    return (0.5 + 0.7548776662466927 * index) % 1.0 - 0.5, (0.5 + 0.5698402909980532 * index) % 1.0 - 0.5

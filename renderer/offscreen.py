@@ -1,0 +1,64 @@
+"""Pictures without a window: an OpenGL context of our own, a frame, an array."""
+
+from __future__ import annotations
+
+import atexit
+import sys
+
+import numpy as np
+
+from ..level import BadInput, Level
+from ..level.objects import Camera
+from .show import Overlays, Show
+
+_own: dict[str, object] = {}
+MOST_SIDE = 16384
+
+
+def own_context():
+    """A standalone OpenGL 4.1 context: EGL on Linux, the platform's own elsewhere; BadInput when there is none."""
+    import moderngl
+
+    if "ctx" not in _own:
+        options = {"backend": "egl"} if sys.platform.startswith("linux") else {}
+        try:
+            _own["ctx"] = moderngl.create_standalone_context(require=410, **options)
+        except Exception as error:
+            hint = "on Debian: apt install libegl1 libgl1-mesa-dri"
+            raise BadInput(f"no OpenGL 4.1 on this computer to draw with ({error}); {hint}") from None
+        atexit.register(release)
+    return _own["ctx"]
+
+
+def own_renderer():
+    """The renderer of `own_context`, kept for the next picture."""
+    from .frame import Renderer
+
+    if "renderer" not in _own:
+        _own["renderer"] = Renderer(own_context())
+    return _own["renderer"]
+
+
+def release() -> None:
+    """Give the context back."""
+    if "renderer" in _own:
+        _own.pop("renderer").release()
+    if "ctx" in _own:
+        _own.pop("ctx").release()
+
+
+def render(
+    level: Level, camera: Camera | str = "play", size: tuple[int, int] = (1280, 720), time_s: float = 0.0,
+    view: str = "final", show: Show | None = None, quality: str = "medium", samples: int = 1,
+    overlays: Overlays | None = None, linear: bool = False, renderer=None,
+) -> np.ndarray:  # fmt: skip
+    """A picture of a level as `(height, width, 3)`, row 0 on top; BadInput for an unknown camera, view or size.
+
+    uint8 for the display, or with `linear` float32: radiance in kcd/m² before exposure, or a view's numbers.
+    """
+    if not all(isinstance(side, int) and 1 <= side <= MOST_SIDE for side in size):
+        raise BadInput(f"a picture of {size[0]} × {size[1]} pixels is outside 1 to {MOST_SIDE} a side")
+    camera = level.camera(camera) if isinstance(camera, str) else camera
+    renderer = renderer or own_renderer()
+    renderer.draw(level, camera, size, time_s, view, show, quality, samples, overlays)
+    return renderer.read(linear)

@@ -1,0 +1,15 @@
+"""The picture, or a view's numbers, to display colours."""
+
+from __future__ import annotations
+
+from ..frame import Frame
+from ..views import RAMPS
+
+
+def draw(frame: Frame) -> None:
+    view = frame.view
+    frame.targets.display.use()
+    shader = frame.shader("display.glsl")
+    shader.program["u_ramp"].value = RAMPS.index(view.ramp if view.value else "light")
+    shader.program["u_range"].value = view.low, view.high
+    shader.fullscreen()

@@ -1,0 +1,21 @@
+"""A buffer or mask in place of the picture: the view's own expression, compiled into shaders/view.glsl."""
+
+from __future__ import annotations
+
+from ..frame import Frame
+
+
+def draw(frame: Frame) -> None:
+    view, uploader = frame.view, frame.renderer.uploader
+    if not view.value:
+        return
+    defines = {"VIEW_VALUE": view.value}
+    if view.layer:
+        defines["LAYER"] = ""
+        frame.textures["u_layer"] = uploader.layer(frame.level, view.layer)
+        frame.uniforms["u_layer_cell_m"] = frame.level.layers[view.layer].grid.cell_m
+    if view.name == "walkable":
+        defines["WALKABLE"] = ""
+        frame.textures["u_walkable"] = uploader.walkable(frame.level)
+    frame.targets.picture.use()
+    frame.shader("view.glsl", **defines).fullscreen()

@@ -1,0 +1,38 @@
+"""TIERS: what low, medium and high mean, one row each."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..level import BadInput
+
+
+@dataclass(frozen=True)
+class Tier:
+    """`reach` is the distance, in chunks, up to which a mesh keeps its finest cells; see mesh.py."""
+
+    name: str
+    terrain_reach: float
+    terrain_chunk: int  # cells a side of a terrain chunk
+    sea_cell_m: float
+    sea_reach: float
+    sea_chunk: int
+    sea_distance_m: float  # from there on the sea is the horizon plane
+    shadow_size: int  # samples a side of the shadow map
+
+
+TIERS: dict[str, Tier] = {
+    tier.name: tier
+    for tier in (
+        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512),
+        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024),
+        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048),
+    )
+}
+
+
+def tier(name: str) -> Tier:
+    """The row of a tier; BadInput lists them when there is none of that name."""
+    if name not in TIERS:
+        raise BadInput(f"no quality is called {name!r}; there are: {', '.join(TIERS)}")
+    return TIERS[name]

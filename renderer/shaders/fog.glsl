@@ -1,0 +1,25 @@
+// Haze over distance on land and water alike (D38). Two sources: what is added, and by how much the rest is dimmed.
+#include "lib/frame.glsl"
+
+#ifdef VERTEX
+void main() { fullscreen_triangle(); }
+#endif
+
+#ifdef FRAGMENT
+#include "lib/fog.glsl"
+uniform sampler2D g_eye_depth;
+uniform sampler2D hdr;
+out vec4 out_radiance;
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    float eye_depth = texelFetch(g_eye_depth, pixel, 0).r;
+    vec4 radiance = texelFetch(hdr, pixel, 0);
+    if (eye_depth > 0.0) {
+        vec3 relative = pixel_ray() * eye_depth;
+        float away = length(relative), eye = u_camera.z - u_level_sea_level_m;
+        radiance.rgb = fog(radiance.rgb, relative / away, eye, eye + relative.z, away);
+    }
+    out_radiance = radiance;
+}
+#endif

@@ -1,0 +1,49 @@
+// The ground from the height texture, read with texelFetch: texture units keep too few bits of the fraction.
+// Beyond the level the border's height goes on and sinks below the sea, so that no slab is seen.
+
+uniform sampler2D u_height;
+uniform float u_cell_m;
+uniform float u_still_m;  // the still sea
+
+const float APRON_M = 420.0;      // way over which land beyond the border sinks
+const float APRON_DEPTH_M = 9.0;  // to this depth
+
+float height_texel(ivec2 cell) {
+    ivec2 inside = clamp(cell, ivec2(0), textureSize(u_height, 0) - 1);
+    float height = texelFetch(u_height, inside, 0).r;
+    ivec2 off = cell - inside;
+    if (off != ivec2(0)) {
+        float out_m = length(vec2(off)) * u_cell_m;
+        height = mix(height, min(height, u_still_m - APRON_DEPTH_M), smoothstep(0.0, APRON_M, out_m));
+    }
+    return height;
+}
+
+// Height and its gradient: bilinear between samples `stride` cells apart, gradients from central differences.
+vec3 ground_sample(vec2 xy, int stride) {
+    vec2 at = xy / (u_cell_m * float(stride));
+    vec2 base = floor(at);
+    vec2 f = at - base;
+    ivec2 c = ivec2(base) * stride;
+    ivec2 e = ivec2(stride, 0), n = ivec2(0, stride);
+    float h00 = height_texel(c), h10 = height_texel(c + e), h01 = height_texel(c + n), h11 = height_texel(c + e + n);
+    float w0 = height_texel(c - e), w1 = height_texel(c - e + n), e0 = height_texel(c + 2 * e), e1 = height_texel(c + 2 * e + n);
+    float s0 = height_texel(c - n), s1 = height_texel(c - n + e), n0 = height_texel(c + 2 * n), n1 = height_texel(c + 2 * n + e);
+    vec2 south = mix(vec2(h10 - w0, h01 - s0), vec2(e0 - h00, h11 - s1), f.x);
+    vec2 north = mix(vec2(h11 - w1, n0 - h00), vec2(e1 - h01, n1 - h10), f.x);
+    vec2 slope = mix(south, north, f.y) / (2.0 * u_cell_m * float(stride));
+    return vec3(mix(mix(h00, h10, f.x), mix(h01, h11, f.x), f.y), slope);
+}
+
+vec3 ground_sample(vec2 xy) { return ground_sample(xy, 1); }
+
+vec3 ground_normal(vec2 slope) { return normalize(vec3(-slope, 1.0)); }
+
+// Height and gradient for a pixel of this size: from afar over as many cells as the pixel covers.
+vec3 ground_filtered(vec2 xy, float pixel_m) {
+    float level = log2(max(pixel_m / u_cell_m, 1.0));
+    int stride = 1 << int(min(level, 10.0));
+    vec3 fine = ground_sample(xy, stride);
+    float part = fract(min(level, 10.0));
+    return part > 0.02 ? mix(fine, ground_sample(xy, stride * 2), part) : fine;
+}

@@ -1,0 +1,28 @@
+// Light on everything in the G-buffer, once, land and water alike (D01): sun with shadow, sky, finished light added.
+#include "lib/frame.glsl"
+
+#ifdef VERTEX
+void main() { fullscreen_triangle(); }
+#endif
+
+#ifdef FRAGMENT
+#include "lib/gbuffer.glsl"
+#include "lib/sky.glsl"
+#include "lib/brdf.glsl"
+#include "lib/shadow.glsl"
+out vec4 out_radiance;
+
+void main() {
+    Surface s = read_gbuffer(ivec2(gl_FragCoord.xy));
+    if (s.material == NOTHING) discard;
+    vec3 relative = pixel_ray() * s.eye_depth;
+    vec3 to_eye = -normalize(relative);
+    vec3 mirror = reflect(-to_eye, s.normal);
+    vec3 f0 = vec3(s.specular);
+    vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
+    vec3 light = brdf_sun(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
+    light += s.open * brdf_ambient(s.albedo, s.normal, to_eye, s.roughness, f0, sky_irradiance(s.normal),
+                                   sky_radiance_rough(mirror, s.roughness));
+    out_radiance = vec4(min(light + s.emissive, MOST_RADIANCE), 1.0);
+}
+#endif

@@ -1,0 +1,130 @@
+// The sea, one more layer in the same G-buffer (D01). With HORIZON: the plane beyond the mesh, to infinity (H21).
+#include "lib/frame.glsl"
+#include "level/waves.glsl"
+
+uniform vec2 u_sea_fade_m;  // distances over which the mesh waves lie down
+
+// Share of the waves' height left at this distance: far cells are too wide to carry them.
+float wave_share(float away_m) { return 1.0 - smoothstep(u_sea_fade_m.x, u_sea_fade_m.y, away_m); }
+
+#ifdef VERTEX
+#ifdef HORIZON
+uniform float u_horizon_m;  // half the side of the mesh's square
+const ivec2 CORNERS[4] = ivec2[4](ivec2(-1, -1), ivec2(1, -1), ivec2(1, 1), ivec2(-1, 1));
+
+// A square ring of eight triangles whose outer corners lie at infinity (w = 0).
+void main() {
+    int side = gl_VertexID / 6, corner = gl_VertexID % 6;
+    bool far = corner == 2 || corner == 4 || corner == 5;
+    vec2 way = vec2(CORNERS[(side + (corner == 1 || corner == 2 || corner == 4 ? 1 : 0)) % 4]);
+    float fall = u_level_sea_level_m - u_camera.z;
+    gl_Position = u_view_projection * (far ? vec4(way, 0.0, 0.0) : vec4(way * u_horizon_m, fall, 1.0));
+}
+#else
+#include "lib/mesh.glsl"
+out vec2 v_before;
+out vec3 v_relative;
+
+void main() {
+    MeshVertex v = mesh_vertex();
+    vec2 relative = slide(mesh_relative(v.cell), mesh_relative(v.parent), v.morph);
+    v_before = slide(vec2(v.cell) * u_mesh_cell_m, vec2(v.parent) * u_mesh_cell_m, v.morph);
+    Sea sea = sea_surface(v_before);
+    float share = wave_share(max(abs(relative.x), abs(relative.y)));
+    vec2 shift = (sea.position.xy - v_before) * share;
+    float rise = (sea.position.z - u_sea_level_m) * share;
+    v_relative = vec3(relative + shift, u_sea_level_m - u_camera.z + rise);
+    gl_Position = u_view_projection * vec4(v_relative, 1.0);
+}
+#endif
+#endif
+
+#ifdef FRAGMENT
+#define WRITE_GBUFFER
+#include "lib/gbuffer.glsl"
+#include "lib/sky.glsl"
+#include "lib/shadow.glsl"
+#include "lib/water.glsl"
+#include "lib/foam.glsl"
+uniform sampler2D under_albedo, under_eye_depth;
+uniform sampler2D u_layer_foam;
+uniform float u_cell_m;
+uniform float u_water_roughness, u_water_specular;
+uniform float u_swell_length_m, u_wave_slope;  // root of the mean square slope of the offshore waves
+uniform bool u_show_procedural_foam, u_show_painted_foam, u_show_refraction;
+#ifndef HORIZON
+in vec2 v_before;
+in vec3 v_relative;
+#endif
+
+// Colour and thickness of the land below, looked up where the wave bends the view; never from before the water.
+vec4 below(vec3 normal, float eye_depth, float away) {
+    ivec2 size = textureSize(under_albedo, 0), here = ivec2(gl_FragCoord.xy);
+    ivec2 bent = here;
+    if (u_show_refraction) {
+        float depth = texelFetch(under_eye_depth, here, 0).r - eye_depth;
+        vec2 shift = vec2(dot(normal.xy, normalize(u_ray_x.xy + 1e-6)), dot(normal.xy, normalize(u_ray_y.xy + 1e-6)));
+        shift *= 0.25 * clamp(depth, 0.0, 3.0) / (eye_depth * u_pixel_angle);
+        bent = clamp(here + ivec2(clamp(shift, -60.0, 60.0)), ivec2(0), size - 1);
+    }
+    float depth = texelFetch(under_eye_depth, bent, 0).r;
+    if (depth <= eye_depth) {
+        bent = here;
+        depth = texelFetch(under_eye_depth, here, 0).r;
+    }
+    vec3 albedo = texelFetch(under_albedo, bent, 0).rgb;
+    float thickness = depth > eye_depth ? (depth - eye_depth) * away / eye_depth : (depth > 0.0 ? 0.0 : 1e4);
+    return vec4(albedo * albedo, thickness);
+}
+
+void main() {
+#ifdef HORIZON
+    vec3 ray = pixel_ray();
+    float fall = u_level_sea_level_m - u_camera.z;
+    if (ray.z * fall <= 0.0) discard;
+    vec3 relative = ray * (fall / ray.z);
+    vec2 before = u_camera.xy + relative.xy;
+#else
+    vec3 relative = v_relative;
+    vec2 before = v_before;
+#endif
+    float away = length(relative), eye_depth = eye_depth_of(relative);
+    vec3 to_eye = -relative / max(away, 1e-4);
+    Sea sea = sea_surface(before);
+    float share = wave_share(max(abs(relative.x), abs(relative.y)));
+    float pixel_m = pixel_metres(relative, vec3(0.0, 0.0, 1.0));
+    float sharp = share / (1.0 + pow(3.0 * pixel_m / u_swell_length_m, 2.0));
+    vec3 ripple = water_ripples(before, pixel_m);
+    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * sharp + ripple.xy;
+    float lost = ripple.z + u_wave_slope * u_wave_slope * sea.deep * (1.0 - sharp * sharp);
+    vec3 normal = normalize(vec3(-slope, 1.0));
+    if (dot(normal, to_eye) < 0.0) normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
+
+    vec4 land = below(normal, eye_depth, away);
+    float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
+    float depth = land.w * water_cosine(cosine) * abs(to_eye.z);
+    float thin = smoothstep(0.0, 0.03, land.w);  // D02: at its edge the water blends with what lies below
+    float roughness = water_roughness(u_water_roughness, lost);
+    float sun_up = max(u_sun_direction.z, 0.0);
+    vec3 position = u_camera + relative;
+    vec3 light = sun_radiance() * sun_up * sun_visibility(position) + sky_irradiance(vec3(0.0, 0.0, 1.0));
+    vec3 below_light = water_albedo(land.rgb, depth, cosine, sun_up) * light / 3.14159265;
+    below_light += water_crest_light(sea.height01 * sharp, normal, to_eye, u_sun_direction) * sun_radiance();
+    below_light *= 1.0 - water_fresnel(cosine, roughness);
+
+    float edge = smoothstep(sea.shore.edge_s - 0.25, sea.shore.edge_s, sea.shore.s) * sea.bed.sea.x * u_shore_on;
+    Foam foam = Foam(0.0, 0.0, 0.0, 0.0);
+    if (u_show_procedural_foam)
+        foam = foam_at(before, sea.shore.line, sea.shore.back, sea.shore.fall, edge, 0.0, vec2(0.0), pixel_m);
+    if (u_show_painted_foam) {
+        vec2 paint = texture(u_layer_foam, (before / u_cell_m + 0.5) / vec2(textureSize(u_layer_foam, 0))).rg;
+        foam.cover = max(foam.cover, max(paint.x, paint.y));
+        foam.amount = max(foam.amount, foam.cover);
+    }
+    foam.cover *= thin;
+    vec3 albedo = mix(vec3(0.0), foam_albedo(foam), foam.cover);
+    vec3 emissive = below_light * (1.0 - foam.cover);
+    write_gbuffer(Surface(albedo, 1.0, normal, mix(roughness, FOAM_ROUGHNESS, foam.cover), u_water_specular * thin,
+                          SEA, foam.cover, 1.0, emissive, eye_depth, before));
+}
+#endif

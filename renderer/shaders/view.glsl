@@ -1,0 +1,51 @@
+// A view: VIEW_VALUE, a row's expression of views.py, over everything that is known of a pixel.
+#include "lib/frame.glsl"
+
+#ifdef VERTEX
+void main() { fullscreen_triangle(); }
+#endif
+
+#ifdef FRAGMENT
+#include "level/waves.glsl"
+#include "lib/gbuffer.glsl"
+#include "lib/height.glsl"
+#include "lib/shadow.glsl"
+uniform sampler2D hdr, under_albedo, under_eye_depth;
+#ifdef LAYER
+uniform sampler2D u_layer;
+uniform float u_layer_cell_m;
+#endif
+#ifdef WALKABLE
+uniform sampler2D u_walkable;
+#endif
+out vec4 out_value;
+
+vec3 material_colour(int material) {
+    const vec3 COLOURS[7] = vec3[7](vec3(0.0), vec3(0.62, 0.5, 0.3), vec3(0.1, 0.35, 0.75), vec3(0.2, 0.65, 0.75),
+                                    vec3(0.75, 0.9, 1.0), vec3(0.35, 0.3, 0.55), vec3(0.95));
+    return COLOURS[clamp(material, 0, 6)];
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy);
+    Surface s = read_gbuffer(pixel);
+    vec3 ray = pixel_ray();
+    vec3 position = u_camera + ray * s.eye_depth;
+    float on_sea = float(s.material == SEA);
+    Sea sea = sea_surface(s.before);
+    Bed bed = bed_at(position.xy);
+    vec3 ground = ground_sample(position.xy);
+    vec3 lit = texelFetch(hdr, pixel, 0).rgb;
+    vec3 under = pow(texelFetch(under_albedo, pixel, 0).rgb, vec3(2.0));
+    vec2 below = u_camera.xy + ray.xy * texelFetch(under_eye_depth, pixel, 0).r;
+#ifdef LAYER
+    vec4 painted = texture(u_layer, (below / u_layer_cell_m + 0.5) / vec2(textureSize(u_layer, 0)));
+#endif
+#ifdef WALKABLE
+    ivec2 cell = clamp(ivec2(floor(below / u_cell_m + 0.5)), ivec2(0), textureSize(u_walkable, 0) - 1);
+    float walkable = texelFetch(u_walkable, cell, 0).r;
+#endif
+    vec3 value = VIEW_VALUE;
+    out_value = vec4(s.material == NOTHING ? vec3(0.0) : value, 1.0);
+}
+#endif

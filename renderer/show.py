@@ -1,0 +1,94 @@
+"""SHOW_FLAGS: switches over what is drawn (T11), and what the editor lays over the picture.
+
+Switching one off changes nothing else. A flag with `settings` draws as if that setting were off; the others skip a pass
+or are read by shaders as `u_show_NAME`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from ..level import BadInput, Settings
+from ..level.params import get, replace
+
+
+@dataclass(frozen=True)
+class Flag:
+    name: str
+    label: str
+    doc: str
+    settings: str = ""
+    ids: str = "T11"
+
+
+SHOW_FLAGS: dict[str, Flag] = {
+    flag.name: flag
+    for flag in (
+        Flag("water", "Water", "The sea; off, its bed lies dry.", "water.on", "T11 D31"),
+        Flag("vertex_animation", "Vertex animation", "Shore waves lift the surface.", "shore.vertex", "T11 D10"),
+        Flag("shore_waves", "Shore waves", "Waves that run up the beach.", "shore.on", "T11 D03"),
+        Flag("gerstner", "Offshore waves", "Gerstner waves on the open sea.", "sea.on", "T11 D11"),
+        Flag("procedural_foam", "Procedural foam", "Foam that the waves make.", "", "T11 D04"),
+        Flag("painted_foam", "Painted foam", "Foam of the foam layer.", "", "T11"),
+        Flag("refraction", "Refraction", "The bed bent by the waves above it.", "", "T11 D02"),
+        Flag("shadows", "Shadows", "Shadows of the land.", "light.shadows"),
+        Flag("fog", "Fog", "Haze over distance.", "fog.on", "T11 D38"),
+        Flag("sky", "Sky", "The sky behind everything; off, it is black."),
+    )
+}
+
+
+@dataclass(frozen=True)
+class Show:
+    """Which flags are off."""
+
+    hidden: frozenset[str] = frozenset()
+
+    @classmethod
+    def hide(cls, names: str | Iterable[str] = ()) -> Show:
+        """From `"water,fog"` or names; BadInput when one is unknown."""
+        names = names.split(",") if isinstance(names, str) else names
+        hidden = frozenset(name.strip() for name in names if name.strip())
+        for name in sorted(hidden - SHOW_FLAGS.keys()):
+            raise BadInput(f"nothing to hide is called {name!r}; there are: {', '.join(SHOW_FLAGS)}")
+        return cls(hidden)
+
+    def toggled(self, name: str) -> Show:
+        """The same with one flag switched."""
+        return Show.hide(self.hidden ^ {name})
+
+    def __contains__(self, name: str) -> bool:
+        return name not in self.hidden
+
+    def settings(self, settings: Settings) -> Settings:
+        """Settings with those switched off that a hidden flag stands for."""
+        for name in sorted(self.hidden):
+            path = SHOW_FLAGS[name].settings
+            if path and get(settings, path):
+                settings = replace(settings, path, False)
+        return settings
+
+    def uniforms(self) -> dict[str, bool]:
+        return {f"u_show_{name}": name in self for name in SHOW_FLAGS}
+
+
+@dataclass(frozen=True)
+class Ring:
+    """The brush on the ground: centre and radius in metres, `falloff` 0 (soft from the middle) … 1 (hard edge)."""
+
+    x: float
+    y: float
+    radius_m: float
+    falloff: float = 0.5
+
+
+@dataclass(frozen=True)
+class Overlays:
+    """What is laid over the finished picture."""
+
+    ring: Ring | None = None
+    walkable: bool = False  # D31: green to wading depth and slope, red beyond
+    outline: bool = False  # the border of the level
+    centre: bool = False  # D40: a cross at the centre of the screen
+    lines: tuple[tuple[tuple[float, float, float], ...], ...] = ()  # world polylines, such as the ramp's preview

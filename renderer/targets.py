@@ -1,0 +1,73 @@
+"""The targets of a frame. The G-buffer's layout is here; shaders/lib/gbuffer.glsl packs and unpacks it (D01).
+
+| texture | format | what |
+|---|---|---|
+| `g_albedo` | RGBA8 | square root of linear albedo; a: sky visibility (1 open) |
+| `g_normal` | RGBA16F | world normal; a: roughness |
+| `g_material` | RGBA8 | r: square root of specular reflectance (F0), g: material id / 255, b: foam, a: wetness |
+| `g_emissive` | RGBA16F | light that is already finished, kcd/m²; a: how much of the lit surface shows over it |
+| `g_eye_depth` | R32F | linear depth along the view, metres; 0 where nothing was drawn |
+| `g_before` | RG32F | world xy before deformation (H30); on land the world xy itself |
+
+Position isn't stored: it is the pixel's ray times eye depth, camera-relative. `under_*` are copies of the land's part
+taken before the water is drawn (D02). `hdr` is linear radiance in kcd/m², RGBA16F.
+"""
+
+from __future__ import annotations
+
+GBUFFER = {
+    "g_albedo": (4, "f1"),
+    "g_normal": (4, "f2"),
+    "g_material": (4, "f1"),
+    "g_emissive": (4, "f2"),
+    "g_eye_depth": (1, "f4"),
+    "g_before": (2, "f4"),
+}
+UNDER = ("g_albedo", "g_normal", "g_eye_depth")  # what water may read of the land below it
+MATERIALS = ("nothing", "land", "sea", "river", "ice", "puddle", "snow")  # ids 0, 1, 2 …; gbuffer.glsl has the same
+
+
+class Targets:
+    """All textures and framebuffers of one size; `textures` by name, as shaders and VIEWS name them."""
+
+    def __init__(self, ctx, size: tuple[int, int]) -> None:
+        self.ctx = ctx
+        self.size = size
+        self.textures: dict = {}
+        for name, (components, dtype) in GBUFFER.items():
+            self._add(name, components, dtype)
+        for name in UNDER:
+            components, dtype = GBUFFER[name]
+            self._add(name.replace("g_", "under_"), components, dtype)
+        self._add("hdr", 4, "f2")
+        self._add("picture", 4, "f4")
+        self._add("total", 4, "f4")
+        self._add("display", 4, "f1")
+        self.depth = ctx.depth_texture(size)
+        self.gbuffer = self._framebuffer(*GBUFFER, depth=True)
+        self.land = [self._framebuffer(name) for name in UNDER]
+        self.under = [self._framebuffer(name.replace("g_", "under_")) for name in UNDER]
+        self.hdr = self._framebuffer("hdr")
+        self.picture = self._framebuffer("picture")
+        self.total = self._framebuffer("total")
+        self.display = self._framebuffer("display")
+
+    def _add(self, name: str, components: int, dtype: str) -> None:
+        texture = self.ctx.texture(self.size, components, dtype=dtype)
+        texture.filter = self.ctx.NEAREST, self.ctx.NEAREST
+        texture.repeat_x = texture.repeat_y = False
+        texture.label = name
+        self.textures[name] = texture
+
+    def _framebuffer(self, *names: str, depth: bool = False):
+        return self.ctx.framebuffer([self.textures[name] for name in names], self.depth if depth else None)
+
+    def copy_under(self) -> None:
+        """Keep what the land left in the G-buffer, for the water over it."""
+        for target, source in zip(self.under, self.land, strict=True):
+            self.ctx.copy_framebuffer(target, source)
+
+    def release(self) -> None:
+        framebuffers = (self.gbuffer, self.hdr, self.picture, self.total, self.display, *self.land, *self.under)
+        for thing in (*framebuffers, *self.textures.values(), self.depth):
+            thing.release()

@@ -1,0 +1,97 @@
+"""Uniforms: one helper that skips what the compiler removed, and the level's settings under one naming rule.
+
+A setting `water.absorb_red` is `u_water_absorb_red` in every shader that declares it. The sections `sea` and `shore`
+are left out: the level's own GLSL has its own names for them (`wave_uniforms`).
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from ..level import Settings
+from ..level.gerstner import groups
+from ..level.params import describe, get
+from ..level.waves import wave_uniforms
+from .look import look_uniforms
+
+OWN_SECTIONS = ("sea", "shore", "time")
+
+
+@functools.cache
+def _rows() -> list:
+    kept = (row for row in describe(Settings) if row.name.split(".")[0] not in OWN_SECTIONS)
+    return [row for row in kept if row.kind in ("float", "int", "bool")]
+
+
+def settings_uniforms(settings: Settings) -> dict[str, float | int | bool]:
+    """Settings outside OWN_SECTIONS, by uniform name."""
+    return {f"u_{row.name.replace('.', '_')}": get(settings, row.name) for row in _rows()}
+
+
+def frame_uniforms(frame) -> dict:
+    """What every pass may ask for: camera, settings, waves, light, show flags (samplers and mesh excepted)."""
+    level, matrices = frame.level, frame.matrices
+    forward = -matrices.view[2]
+    return {
+        **settings_uniforms(level.settings),
+        **look_uniforms(level.settings, frame.time_s),
+        **wave_uniforms(level, frame.time_s),
+        **frame.show.uniforms(),
+        "u_camera": tuple(matrices.position),
+        "u_forward": tuple(forward),
+        "u_view_projection": np.ascontiguousarray(matrices.view_projection.T, np.float32),
+        "u_ray_centre": tuple(matrices.ray_centre),
+        "u_ray_x": tuple(matrices.ray_x),
+        "u_ray_y": tuple(matrices.ray_y),
+        "u_size": tuple(float(side) for side in frame.size),
+        "u_pixel_angle": 2 * float(np.linalg.norm(matrices.ray_y)) / frame.size[1],
+        "u_extent_m": level.grid.extent_m,
+        "u_cell_m": level.grid.cell_m,
+        "u_still_m": level.sea_level_m,
+        "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
+        **_sea_shape(level.settings, frame.tier),
+    }
+
+
+def _sea_shape(settings: Settings, tier) -> dict:
+    """Where the mesh waves lie down with distance, and how steep those are that it no longer carries."""
+    sea = settings.sea
+    flat_m = 0.9 * tier.sea_distance_m
+    slopes = [
+        np.sum((fronts.amplitude_m * 2 * np.pi / fronts.length_m) ** 2) / 2
+        for fronts in groups(sea, settings.level.seed)
+    ]
+    return {
+        "u_sea_fade_m": (min(14 * sea.swell_length_m, 0.5 * flat_m), min(28 * sea.swell_length_m, flat_m)),
+        "u_swell_length_m": sea.swell_length_m,
+        "u_wave_slope": math.sqrt(sum(slopes)),
+    }
+
+
+def set_uniforms(program, values: dict) -> None:
+    """Set those of `values` that the program has; a name the compiler removed is skipped (moderngl raises KeyError)."""
+    for name, value in values.items():
+        member = program.get(name, None)
+        if member is None:
+            continue
+        if isinstance(value, np.ndarray):
+            _write_array(member, value)
+        else:
+            member.value = value
+
+
+def _write_array(member, value: np.ndarray) -> None:
+    """Write an array, cut to the length the compiler kept."""
+    kind = np.int32 if value.dtype.kind in "iu" else np.float32
+    data = np.ascontiguousarray(value, kind).tobytes()
+    member.write(data[: 4 * member.dimension * member.array_length])
+
+
+def bind_textures(shader, textures: dict) -> None:
+    """Bind to each sampler of the program the texture of its name; KeyError names a sampler nobody feeds."""
+    for unit, name in enumerate(shader.samplers):
+        textures[name].use(unit)
+        shader.program[name].value = unit

@@ -1,0 +1,123 @@
+"""What the GPU holds of a level: textures pulled by dirty rectangles newer than the last frame, bytes counted."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..level import BadInput, Level, Rect
+from ..level.layers import LAYERS
+from ..level.noise import lattice
+from ..level.shore import shore_map
+from ..level.walk import walkable
+from .bounds import HeightBounds
+
+
+class Uploader:
+    """`textures` by sampler name (`u_height`, `u_bed`, `u_variety`, `u_layer_NAME`, `u_walkable`), `bytes` sent."""
+
+    def __init__(self, ctx) -> None:
+        self.ctx = ctx
+        self.textures: dict = {}
+        self.bytes = 0
+        self.bounds: HeightBounds | None = None
+        self.seen: dict[str, object] = {}
+        self.level: Level | None = None
+        self.most_side = ctx.info["GL_MAX_TEXTURE_SIZE"]
+
+    def sync(self, level: Level) -> None:
+        """Bring height, shore map and lattice up to date."""
+        if self.level is not level:
+            self.seen.clear()
+            self.level = level
+        if max(level.grid.shape) > self.most_side:
+            raise BadInput(
+                f"this computer's graphics draw at most {self.most_side} samples a side; "
+                f"the level has {level.grid.cols} × {level.grid.rows}: crop or resize it"
+            )
+        self._sync_height(level)
+        self._sync_shore(level)
+        seed = level.settings.level.seed
+        if self.seen.get("lattice") != seed:
+            self._whole("u_variety", lattice(seed), "f4")
+            self.seen["lattice"] = seed
+
+    def _sync_height(self, level: Level) -> None:
+        fresh = "height" not in self.seen or self.textures["u_height"].size != (level.grid.cols, level.grid.rows)
+        seen = 0 if fresh else self.seen["height"]
+        rects = [level.grid.rect] if fresh else level.changed_since("height", seen)
+        for rect in rects:
+            self._part("u_height", level.height, rect, "f4")
+        if fresh:
+            self.bounds = HeightBounds(level.height)
+        else:
+            for rect in rects:
+                self.bounds.update(level.height, rect)
+        self.seen["height"] = level.revision
+
+    def _sync_shore(self, level: Level) -> None:
+        shore = shore_map(level)
+        rows, cols = shore.packed.shape[:2]
+        known, revision = self.seen.get("shore", (None, 0))
+        changed = known is not shore or revision != shore.revision
+        if not changed:
+            return
+        # A map made anew starts its own log; only a map that is updated in place can be pulled by rectangles.
+        rects = shore.changed_since(revision) if known is shore else [Rect(0, 0, rows, cols)]
+        for rect in rects:
+            self._part("u_bed", shore.packed, rect, "f4")
+        self.seen["shore"] = shore, shore.revision
+
+    def layer(self, level: Level, name: str):
+        """The texture of a painted layer, up to date; one texel while nothing was painted."""
+        data, key, sampler = level.layers[name], f"layer_{name}", f"u_layer_{name}"
+        dtype = "f2" if LAYERS[name].half else "f4"
+        if data.neutral:
+            if self.seen.get(key) != "neutral":
+                self._whole(sampler, np.zeros((1, 1, len(data.row.channels)), np.float32), dtype)
+                self.seen[key] = "neutral"
+            return self.textures[sampler]
+        whole = not isinstance(self.seen.get(key), int)
+        rects = [data.grid.rect] if whole else level.changed_since(name, self.seen[key])
+        for rect in rects:
+            self._part(sampler, data.array, rect, dtype)
+        self.seen[key] = level.revision
+        return self.textures[sampler]
+
+    def walkable(self, level: Level):
+        """Where the player can go, R8, one texel a sample."""
+        key = level.layer_revision("height"), level.settings.walk, level.sea_level_m
+        if self.seen.get("walkable") != key:
+            self._whole("u_walkable", walkable(level)[..., None].astype(np.uint8) * 255, "f1")
+            self.seen["walkable"] = key
+        return self.textures["u_walkable"]
+
+    def _whole(self, name: str, values: np.ndarray, dtype: str) -> None:
+        self._part(name, values, Rect(0, 0, *values.shape[:2]), dtype)
+
+    def _part(self, name: str, values: np.ndarray, rect: Rect, dtype: str) -> None:
+        """Send `rect` of `values` `(rows, cols[, channels])`; a texture of another shape is made anew."""
+        rows, cols = values.shape[:2]
+        components = 1 if values.ndim == 2 else values.shape[2]
+        texture = self.textures.get(name)
+        if texture is None or texture.size != (cols, rows) or texture.components != components:
+            if texture is not None:
+                texture.release()
+            texture = self.ctx.texture((cols, rows), components, dtype=dtype, alignment=1)
+            texture.filter = self.ctx.NEAREST, self.ctx.NEAREST
+            texture.repeat_x = texture.repeat_y = False
+            texture.label = name
+            self.textures[name] = texture
+            rect = Rect(0, 0, rows, cols)
+        if rect.empty:
+            return
+        kinds = {"f4": np.float32, "f2": np.float16, "f1": np.uint8}
+        data = np.ascontiguousarray(values[rect.slices], kinds[dtype])
+        size = rect.col1 - rect.col0, rect.row1 - rect.row0
+        texture.write(data.tobytes(), viewport=(rect.col0, rect.row0, *size), alignment=1)
+        self.bytes += data.nbytes
+
+    def release(self) -> None:
+        for texture in self.textures.values():
+            texture.release()
+        self.textures.clear()
+        self.seen.clear()

@@ -1,0 +1,109 @@
+"""VIEWS: every buffer and mask as a picture, one row each; `final` is the picture itself.
+
+A row's `value` is a GLSL expression (vec3) over what shaders/view.glsl lays out for each pixel:
+`s` the G-buffer, `position` in the world, `sea` the wave function there, `bed`, `ground` (height, slope east, slope
+north), `on_sea`. `ramp` says how numbers become colours: `light` through the display transform, `colour` linear colour,
+`direct` as it is, `grey` from `low` to `high`, `signed` blue below zero and red above, `normal`, `metres` bands of xyz.
+EXR output holds the numbers themselves.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ..level import LAYERS, BadInput
+
+RAMPS = ("light", "colour", "direct", "grey", "signed", "normal", "metres")
+
+
+@dataclass(frozen=True)
+class View:
+    name: str
+    label: str
+    doc: str
+    value: str = ""
+    ramp: str = "grey"
+    low: float = 0.0
+    high: float = 1.0
+    ids: str = "T11"
+    layer: str = ""  # the painted layer the value reads as `painted`
+
+
+def _layer_view(row) -> View:
+    if row.name == "height":
+        return View("layer_height", "Layer: Height", row.doc, "vec3(ground.x)", "signed", -20.0, 20.0)
+    signed = row.name in ("flow", "river_surface")
+    value = "painted.rgb" if len(row.channels) > 1 else "vec3(painted.r)"
+    ramp = "signed" if row.name == "river_surface" else "direct" if len(row.channels) > 1 else "grey"
+    if row.name == "flow":
+        value = "vec3(painted.rg * 0.25 + 0.5, 0.5)"
+    return View(
+        f"layer_{row.name}", f"Layer: {row.label}", row.doc, value, ramp, -20.0 if signed else 0.0,
+        20.0 if signed else 1.0, layer=row.name,
+    )  # fmt: skip
+
+
+_MASK = "vec3(on_sea * {})".format
+
+VIEWS: dict[str, View] = {
+    view.name: view
+    for view in (
+        View("final", "Picture", "What the game shows.", ids="D01"),
+        View("albedo", "Albedo", "Colour of land and foam without light.", "s.albedo", "colour", ids="D01"),
+        View("normal", "Normal", "World normals: red east, green north, blue up.", "s.normal", "normal", ids="D01"),
+        View("roughness", "Roughness", "Roughness of what lies on top.", "vec3(s.roughness)", ids="D01"),
+        View("specular", "Specular", "Reflectance seen from straight above.",
+             "vec3(s.specular)", "grey", 0, 0.06, ids="D01"),
+        View("material", "Material", "Land, sea, river, ice, puddle, snow.",
+             "material_colour(s.material)", "direct", ids="D01"),
+        View("emissive", "Emissive", "Light that is finished before the light pass.", "s.emissive", "light", ids="D01"),
+        View("eye_depth", "Eye depth", "Distance along the view, 1 km to white.",
+             "vec3(s.eye_depth)", "grey", 0, 1000, ids="D01"),
+        View("position", "Position", "World position, bands of 10 m.", "position", "metres", ids="D01"),
+        View("hdr", "Light", "Lit scene before haze.", "lit", "light", ids="D01"),
+        View("shadow", "Sun visibility", "White in the sun, black in the shadow of the land.",
+             "vec3(sun_visibility(position))", ids="L03"),
+        View("height", "Height", "Ground over (red) and below (blue) the still sea.",
+             "vec3(ground.x - u_still_m)", "signed", -20, 20),
+        View("slope", "Slope", "Steepness of the ground, 60° to white.",
+             "vec3(degrees(atan(length(ground.yz))))", "grey", 0, 60),
+        View("depth", "Depth", "Still water over the ground, 20 m to white.",
+             "vec3(max(u_still_m - ground.x, 0.0))", "grey", 0, 20, ids="D03"),
+        View("depth_fract", "Depth bands", "Depth in bands of 1 m.",
+             "vec3(ground.x < u_still_m ? fract(u_still_m - ground.x) : 0.0)", ids="D03"),
+        View("clock_depth", "Clock depth", "The monotone depth that the shore clock reads.",
+             "vec3(bed.clock.x)", "signed", -8, 8, ids="D03"),
+        View("sea_mask", "Sea mask", "Water connected to the sea, and its swash.", "vec3(bed.sea.x)", ids="D03"),
+        View("wave_a", "Wave A", "The rear smoothstep of the nearest front.", _MASK("sea.shore.a"), ids="D03"),
+        View("wave_b", "Wave B", "The front smoothstep of the nearest front.", _MASK("sea.shore.b"), ids="D03"),
+        View("wave_line", "Wave line", "A − B: the front line.", _MASK("sea.shore.line"), ids="D03 D04"),
+        View("wave_back", "Wave back", "Behind the line, trailing seaward.", _MASK("sea.shore.back"), ids="D04"),
+        View("crest_fall", "Crest fall", "Foam that falls over the shoreward face.",
+             _MASK("sea.shore.fall"), ids="D04"),
+        View("shore_lift", "Shore lift", "Height the shore waves add.",
+             _MASK("sea.shore.lift.x"), "signed", -0.6, 0.6, ids="D10"),
+        View("gerstner_weight", "Offshore weight", "How far the offshore waves are faded in.",
+             _MASK("sea.deep"), ids="D11"),
+        View("gerstner_height", "Offshore height", "Height the offshore waves add.",
+             _MASK("(sea.position.z - u_sea_level_m - sea.shore.lift.x)"), "signed", -1, 1, ids="D11 H05"),
+        View("surface_height", "Surface height", "Height of the water over the still sea.",
+             "vec3(position.z - u_still_m)", "signed", -1.5, 1.5, ids="D10 H05"),
+        View("before", "Before", "World xy before deformation, bands of 10 m.",
+             "vec3(s.before, 0.0)", "metres", ids="H30"),
+        View("after", "After", "World xy after deformation, bands of 10 m.",
+             "vec3(position.xy, 0.0)", "metres", ids="H30"),
+        View("foam", "Foam", "Cover of foam on the water.", "vec3(s.foam)", ids="D04"),
+        View("wetness", "Wetness", "Wet ground, and water.", "vec3(s.wet)"),
+        View("under_albedo", "Under: albedo", "Albedo of what lies under the water.", "under", "colour", ids="D02"),
+        View("walkable", "Walkable", "Green where the player can go, red beyond.",
+             "walkable > 0.5 ? vec3(0.1, 0.7, 0.2) : vec3(0.8, 0.1, 0.1)", "direct", ids="D31"),
+        *(_layer_view(row) for row in LAYERS.values()),
+    )
+}  # fmt: skip
+
+
+def find_view(name: str) -> View:
+    """The row of a view; BadInput names the list when there is none of that name."""
+    if name not in VIEWS:
+        raise BadInput(f"no view is called {name!r}; `shorewright views` lists them all")
+    return VIEWS[name]
