@@ -7,7 +7,7 @@ Samples sit **at vertices**: N samples span N - 1 intervals. Sample (0, 0) is th
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
@@ -124,6 +124,17 @@ class Grid:
             )
         )
 
+    def rect_along(self, row0: float, col0: float, row1: float, col1: float, reach: float) -> Rect:
+        """The cells within `reach` cells of a line between two fractional cells, clipped to the level."""
+        return self.clip(
+            Rect(
+                math.ceil(min(row0, row1) - reach),
+                math.ceil(min(col0, col1) - reach),
+                math.floor(max(row0, row1) + reach) + 1,
+                math.floor(max(col0, col1) + reach) + 1,
+            )
+        )
+
     def tiles(self, rect: Rect) -> Iterator[tuple[int, int]]:
         """(tile row, tile column) of every tile that `rect` touches."""
         rect = self.clip(rect)
@@ -135,6 +146,21 @@ class Grid:
 
     def tile_rect(self, tile: tuple[int, int]) -> Rect:
         return self.clip(Rect(tile[0] * TILE, tile[1] * TILE, (tile[0] + 1) * TILE, (tile[1] + 1) * TILE))
+
+    def cover(self, tiles: Iterable[tuple[int, int]], within: Rect | None = None) -> list[Rect]:
+        """Few disjoint rectangles that hold exactly these tiles, cut to `within`."""
+        runs: list[Rect] = []  # of tiles: first along rows, then runs of the same columns stacked
+        for row, col in sorted(tiles):
+            if runs and runs[-1].row0 == row and runs[-1].col1 == col:
+                runs[-1] = runs[-1]._replace(col1=col + 1)
+            else:
+                runs.append(Rect(row, col, row + 1, col + 1))
+        stacked: dict[tuple[int, int, int], Rect] = {}
+        for run in runs:
+            below = stacked.pop((run.row0, run.col0, run.col1), run)
+            stacked[run.row1, run.col0, run.col1] = below._replace(row1=run.row1)
+        rects = (Rect(*(TILE * side for side in run)).intersect(within or self.rect) for run in stacked.values())
+        return [self.clip(rect) for rect in rects if not rect.empty]
 
     @property
     def sector_shape(self) -> tuple[int, int]:

@@ -1,8 +1,8 @@
 """Undo and redo of everything (T08): a step is a list of atoms that swap with the level.
 
-Tiles are saved before their first write, only what differs is kept, compressed; settings and objects are kept as the
-frozen models they are; whole grids (import, resize, crop) go to the spill store at once. The budget is in bytes: past
-it the oldest steps go to the store, and when there is none, away.
+Tiles are saved before their first write and of them only the cells that differ are kept, packed (`tiles.py`); settings
+and objects are kept as the frozen models they are; whole grids (import, resize, crop) as bytes. The budget is in bytes:
+past it the oldest steps go to the store, and when there is none, away.
 """
 
 from __future__ import annotations
@@ -19,6 +19,9 @@ import zstandard
 from .grid import Rect
 from .layers import LayerData
 from .level import Level
+from .tiles import Tiles, pack, unpack
+
+__all__ = ["Journal", "Step", "Store", "Thing", "Tiles", "Value", "Whole", "pack", "unpack"]
 
 
 class Store(Protocol):
@@ -27,44 +30,6 @@ class Store(Protocol):
     def put(self, key: str, data: bytes) -> None: ...
     def get(self, key: str) -> bytes: ...
     def drop(self, key: str) -> None: ...
-
-
-def pack(values: np.ndarray) -> bytes:
-    """Float32 samples compressed without loss: rows as differences of their bits, byte planes apart, then zstd."""
-    bits = np.ascontiguousarray(values, np.float32).view(np.uint32).reshape(values.shape[0], -1)
-    delta = bits.copy()
-    delta[:, 1:] -= bits[:, :-1]
-    planes = np.ascontiguousarray(delta.view(np.uint8).reshape(-1, 4).T)
-    return zstandard.compress(planes.tobytes(), 1)
-
-
-def unpack(data: bytes, shape: tuple[int, ...]) -> np.ndarray:
-    """The inverse of `pack`."""
-    planes = np.frombuffer(zstandard.decompress(data), np.uint8).reshape(4, -1)
-    delta = np.ascontiguousarray(planes.T).view(np.uint32).reshape(shape[0], -1)
-    return np.cumsum(delta, axis=1, dtype=np.uint32).view(np.float32).reshape(shape)
-
-
-@dataclass
-class Tiles:
-    """An atom: what the other side of the swap holds for some tiles of a layer (None = never written)."""
-
-    layer: str
-    held: dict[tuple[int, int], bytes | None]
-    rect: Rect
-
-    @property
-    def bytes(self) -> int:
-        return sum(64 + len(data or b"") for data in self.held.values())
-
-    def swap(self, level: Level) -> None:
-        data = level.layers[self.layer]
-        for tile, packed in self.held.items():
-            now = data.tile(tile)
-            shape = data.grid.tile_rect(tile).shape + data.shape[2:]
-            data.put_tile(tile, None if packed is None else unpack(packed, shape))
-            self.held[tile] = None if now is None else pack(now)
-        level.mark(self.layer, self.rect)
 
 
 @dataclass
@@ -192,14 +157,7 @@ class Journal:
         step, self.open, self.level.live = self.open, None, False
         if step is None:
             return None
-        for name, kept in step.snapshots.items():
-            data = self.level.layers[name]
-            for tile, snapshot in kept.items():
-                data.settle(tile, snapshot)
-            held = {tile: None if old is None else pack(old) for tile, (old, _) in kept.items()}
-            step.atoms.append(Tiles(name, held, step.rects[name]))
-            self.level.mark(name, step.rects[name])
-        step.snapshots.clear()
+        self._settle(step)
         if not step.atoms:
             return None
         self.undone.clear()
@@ -208,6 +166,18 @@ class Journal:
         self.done.append(step)
         self._keep_budget()
         return step
+
+    def _settle(self, step: Step) -> None:
+        """Turn the snapshots of an open step into atoms; a tile that ended as it began leaves none."""
+        for name, kept in step.snapshots.items():
+            data = self.level.layers[name]
+            atom = Tiles.settle(data, kept, step.rects[name])
+            if atom.held:
+                step.atoms.append(atom)
+            for rect in data.grid.cover(kept, step.rects[name]):
+                self.level.mark(name, rect)
+        step.snapshots.clear()
+        step.rects.clear()
 
     def abort(self) -> None:
         """Leave no trace of the open step."""
@@ -218,7 +188,8 @@ class Journal:
             data = self.level.layers[name]
             for tile, snapshot in kept.items():
                 data.restore(tile, snapshot)
-            self.level.mark(name, step.rects[name])
+            for rect in data.grid.cover(kept, step.rects[name]):
+                self.level.mark(name, rect)
         for atom in reversed(step.atoms):
             atom.swap(self.level)
 
@@ -243,6 +214,7 @@ class Journal:
 
     def whole(self, step: Step) -> None:
         """Keep the whole grid in an open step, before an import, resize or crop."""
+        self._settle(step)  # tiles saved so far belong to the grid that is about to go
         step.atoms.append(Whole(whole_state(self.level)))
 
     # Undo

@@ -1,1 +1,74 @@
+"""Effects: what a dab does to the cells under it, one file each.
 
+Weights, masks, tiles, saving and marking are the stroke's business. An effect works on arrays, one channel at a time,
+and never reads what its own dab has written: what needs neighbours is gathered in `prepare`, before the first write.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from ...level.grid import Rect
+
+if TYPE_CHECKING:
+    from ...level.params import Section
+    from ..canvas import Canvas
+    from ..footprint import Footprint, Link
+
+
+@dataclass(slots=True)
+class Piece:
+    """The part of a dab in one tile, arrays float32 `(rows, cols)` of one channel.
+
+    `base` is what the layer held when the stroke began, `mask` the greatest weight of any dab so far, `weight` that of
+    this dab, `live` what is to be written. `spare` may be overwritten.
+    """
+
+    rect: Rect
+    channel: int
+    link: Link
+    base: np.ndarray
+    mask: np.ndarray
+    weight: np.ndarray
+    live: np.ndarray
+    spare: np.ndarray
+
+
+class Effect:
+    """Begin, then `prepare` and `write` for each dab."""
+
+    def __init__(self, params: Section, invert: bool, footprint: Footprint) -> None:
+        self.params = params
+        self.invert = invert
+        self.footprint = footprint
+        self.amount = np.float32(params.strength * params.opacity)
+
+    @classmethod
+    def masked(cls, invert: bool) -> bool:
+        """Whether it reads `mask`; one that works on what earlier dabs left reads `weight` alone."""
+        return True
+
+    def begin(self, canvas: Canvas, row: float, col: float) -> None:
+        """Freeze what the press decides."""
+
+    def prepare(self, canvas: Canvas, rect: Rect, link: Link) -> None:
+        """Gather what a dab needs to know about its surroundings, before it writes."""
+
+    def write(self, piece: Piece) -> None:
+        """Fill `piece.live`."""
+        raise NotImplementedError
+
+    def preview(self, canvas: Canvas) -> dict | None:
+        """What is worth telling while the stroke goes on."""
+        return None
+
+
+def one_sided(change: np.ndarray, side: str) -> None:
+    """Leave of a change only what digs (cut) or only what lifts (fill)."""
+    if side == "cut":
+        np.minimum(change, 0, out=change)
+    elif side == "fill":
+        np.maximum(change, 0, out=change)

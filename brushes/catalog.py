@@ -1,0 +1,115 @@
+"""BRUSHES: every brush, one row each: what happens × where × how samples become dabs × on which layer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from pydantic import ValidationError
+
+from ..level.errors import BadInput
+from ..level.layers import LAYERS
+from ..level.params import Section, sentence
+from .effects import Effect
+from .effects.flatten import Flatten
+from .effects.lift import Lower, Raise
+from .effects.ramp import Ramp
+from .effects.smooth import Smooth
+from .footprint import Footprint, Round, Strip
+from .params import FlattenParams, RaiseParams, RampParams, SmoothParams
+from .path import AlongPath, LinePath
+
+
+@dataclass(frozen=True)
+class Brush:
+    """A row. `inverse` names what it does with Ctrl held; `channels` of the layer, all when empty."""
+
+    name: str
+    label: str
+    key: str
+    effect: type[Effect]
+    footprint: type[Footprint]
+    path: type[AlongPath] | type[LinePath]
+    layer: str
+    params: type[Section]
+    doc: str
+    inverse: str = ""
+    channels: tuple[str, ...] = ()
+
+    def with_params(self, values: dict | None = None) -> Section:
+        """The parameters with some of them set; BadInput names the one that cannot be."""
+        try:
+            return self.params.model_validate(values or {})
+        except ValidationError as error:
+            raise BadInput(f"the brush {self.name}: {sentence(error, 'parameter')}") from None
+
+    @property
+    def channel_numbers(self) -> tuple[int, ...]:
+        names = LAYERS[self.layer].channels
+        return tuple(names.index(name) for name in self.channels or names)
+
+
+BRUSHES: dict[str, Brush] = {
+    row.name: row
+    for row in (
+        Brush(
+            "raise",
+            "Raise",
+            "1",
+            Raise,
+            Round,
+            AlongPath,
+            "height",
+            RaiseParams,
+            "Lifts the ground; a stroke that crosses itself lifts no more. Ctrl lowers.",
+            inverse="Lower",
+        ),
+        Brush(
+            "lower",
+            "Lower",
+            "2",
+            Lower,
+            Round,
+            AlongPath,
+            "height",
+            RaiseParams,
+            "Digs the ground; a stroke that crosses itself digs no deeper. Ctrl raises.",
+            inverse="Raise",
+        ),
+        Brush(
+            "smooth",
+            "Smooth",
+            "3",
+            Smooth,
+            Round,
+            AlongPath,
+            "height",
+            SmoothParams,
+            "Takes small shapes away, the more the longer it is rubbed. Ctrl sharpens.",
+            inverse="Sharpen",
+        ),
+        Brush(
+            "flatten",
+            "Flatten",
+            "4",
+            Flatten,
+            Round,
+            AlongPath,
+            "height",
+            FlattenParams,
+            "Brings the ground to the height at which the stroke began. Ctrl drives it away from there.",
+            inverse="Exaggerate",
+        ),
+        Brush(
+            "ramp",
+            "Ramp",
+            "5",
+            Ramp,
+            Strip,
+            LinePath,
+            "height",
+            RampParams,
+            "A straight grade from press to release: steeper slows a wave, flatter lets it run. Ctrl only digs.",
+            inverse="Cut ramp",
+        ),
+    )
+}

@@ -1,0 +1,43 @@
+"""What can be set on a brush: one section a brush, each parameter declared once (range, unit, sentence)."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from ..level.params import Section, param
+
+
+class BrushParams(Section):
+    """What every brush has."""
+
+    size_m: float = param(12.0, 0.01, 100_000, "m", "Radius.", soft=(1, 150))
+    strength: float = param(0.5, 0, 1, "", "How much of the effect is put on.")
+    falloff: float = param(0.7, 0, 1, "", "Part of the radius over which the brush fades: 0 a hard edge, 1 all of it.")
+    spacing: float = param(0.1, 0.02, 1, "radii", "Way between two dabs.", soft=(0.05, 0.5))
+    opacity: float = param(1.0, 0, 1, "", "What one stroke can do at most, however often it crosses itself.")
+
+    @property
+    def inner_m(self) -> float:
+        """Radius of the part that has full strength, for the inner ring of the cursor."""
+        return self.size_m * (1 - self.falloff)
+
+
+class RaiseParams(BrushParams):
+    strength: float = param(1.0, 0, 1000, "m", "What a stroke adds at full pressure.", soft=(0.05, 10))
+
+
+class SmoothParams(BrushParams):
+    strength: float = param(0.5, 0, 1, "", "Share of the detail that goes with a click, and with each radius of way.")
+    detail: float = param(0.2, 0.01, 1, "radii", "Size of the detail that is smoothed away.", soft=(0.05, 0.5))
+
+
+class FlattenParams(BrushParams):
+    strength: float = param(1.0, 0, 1, "", "How far the ground comes to the level at which the stroke began.")
+    side: Literal["both", "cut", "fill"] = param("both", doc="Move ground both ways, only down, or only up.")
+
+
+class RampParams(BrushParams):
+    size_m: float = param(15.0, 0.01, 100_000, "m", "Half the width.", soft=(2, 150))
+    strength: float = param(1.0, 0, 1, "", "How far the ground comes to the grade.")
+    falloff: float = param(0.5, 0, 1, "", "Part of the half width over which the shoulders meet the ground.")
+    side: Literal["both", "cut", "fill"] = param("both", doc="Move ground both ways, only down, or only up.")

@@ -1,0 +1,143 @@
+"""A stroke: begin, move, end or abort. One undo step, the same bytes whenever its samples are played again.
+
+stroke = Stroke(level, journal, BRUSHES["raise"], BRUSHES["raise"].with_params({"size_m": 8}))
+stroke.begin(40, 52); stroke.move(60, 55, pressure=0.5); stroke.end()
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from ..level import BadInput, Journal, Level, Rect
+from ..level.params import Section
+from .canvas import NOWHERE, Canvas
+from .catalog import BRUSHES, Brush
+from .footprint import Link
+from .params import BrushParams, SmoothParams
+from .path import Bounds, Dab, Sample
+
+FARTHEST_M = 1e9  # a pointer past this is a slip of somebody's arithmetic
+LEAST_WAY = 0.5  # cells between two dabs: what lies closer cannot differ
+
+
+class Stroke:
+    """One press of a brush. `invert` (Ctrl) turns the effect round, `smooth` (Shift) smooths with any brush."""
+
+    def __init__(
+        self, level: Level, journal: Journal, brush: Brush, params: Section, invert: bool = False, smooth: bool = False
+    ) -> None:
+        self.level = level
+        self.journal = journal
+        self.brush = brush
+        self.params = params
+        self.invert = invert
+        self.smooth = smooth
+        self.samples: list[Sample] = []
+        self.step = None
+
+    def begin(self, x: float, y: float, pressure: float = 1.0) -> Rect:
+        """Press at world metres; returns the cells changed. BadInput when the place or the pressure is no number."""
+        if self.step is not None:
+            raise RuntimeError("a stroke begins once")
+        sample = usable(x, y, pressure)
+        if sample is None:
+            raise BadInput(f"a stroke cannot begin at {x}, {y} m with pressure {pressure}: it takes finite numbers")
+        row, params = self._row_and_params()
+        invert = self.invert and not self.smooth
+        self.step = self.journal.begin(row.inverse if invert else row.label)
+        self.canvas = Canvas(self.level, self.step, self.brush.layer, self.brush.channel_numbers)
+        grid = self.canvas.data.grid
+        self.footprint = row.footprint(params.size_m / grid.cell_m, params.falloff)
+        self.effect = row.effect(params, invert, self.footprint)
+        self.masked = row.effect.masked(invert) and not row.path.replaces
+        way_m = max(params.spacing * self.footprint.radius, LEAST_WAY) * grid.cell_m
+        self.path = row.path(way_m, self._bounds(way_m))
+        self.samples.append(sample)
+        self.effect.begin(self.canvas, *grid.to_cells(sample.x, sample.y))
+        return self._paint(self.path.begin(sample))
+
+    def move(self, x: float, y: float, pressure: float = 1.0) -> Rect:
+        """Drag to world metres; returns the cells changed. Samples that are no numbers are ignored."""
+        sample = usable(x, y, pressure)
+        if sample is None or not self.open:
+            return NOWHERE
+        if self.path.replaces:
+            del self.samples[1:]  # only where the pointer is now counts
+        self.samples.append(sample)
+        return self._paint(self.path.move(sample))
+
+    def end(self) -> Rect:
+        """Release: the stroke becomes one undo step, none when it changed nothing. Returns the cells it changed."""
+        if not self.open:
+            return NOWHERE
+        self._paint(self.path.end())
+        return self.canvas.bounds if self.journal.commit() else NOWHERE
+
+    def abort(self) -> None:
+        """Leave no trace of the stroke."""
+        if self.open:
+            self.journal.abort()
+
+    @property
+    def open(self) -> bool:
+        """True from begin to end or abort, or until somebody else ends the step (an undo in mid-stroke does)."""
+        return self.step is not None and self.journal.open is self.step
+
+    def preview(self) -> dict | None:
+        """What the stroke tells while it goes on; a ramp its ends, heights, grade and front speed."""
+        return self.effect.preview(self.canvas) if self.open and self.canvas.painted else None
+
+    def _row_and_params(self) -> tuple[Brush, Section]:
+        """The row that acts: with Shift it is the smooth one, in the size of the brush in hand."""
+        smooth = BRUSHES["smooth"]
+        if not self.smooth or isinstance(self.params, smooth.params):
+            return (smooth if self.smooth else self.brush), self.params
+        shared = {name: getattr(self.params, name) for name in BrushParams.model_fields if name != "strength"}
+        return smooth, SmoothParams(**shared)
+
+    def _bounds(self, way_m: float) -> Bounds:
+        grid = self.canvas.data.grid
+        reach_m = self.footprint.reach * grid.cell_m + way_m
+        east_m, north_m = grid.extent_m
+        return Bounds(-reach_m, -reach_m, east_m + reach_m, north_m + reach_m)
+
+    def _paint(self, dabs: Iterable[Dab]) -> Rect:
+        """Play dabs; the whole stroke goes when one of them fails."""
+        try:
+            rects: list[Rect] = self.canvas.rewind() if self.path.replaces else []
+            for dab in dabs:
+                rects += self.canvas.paint(self._link(dab), self.footprint, self.effect, self.masked)
+        except BaseException:
+            self.abort()
+            raise
+        changed = NOWHERE
+        for rect in _joined(rects):
+            self.level.mark(self.brush.layer, rect)
+            changed = changed.union(rect)
+        return changed
+
+    def _link(self, dab: Dab) -> Link:
+        start, end = dab
+        to_cells = self.canvas.data.grid.to_cells
+        return Link(*to_cells(start.x, start.y), *to_cells(end.x, end.y), start.pressure, end.pressure)
+
+
+def usable(x: float, y: float, pressure: float) -> Sample | None:
+    """A sample with finite numbers and a pressure held to 0 to 1, or None."""
+    x, y, pressure = float(x), float(y), float(pressure)
+    if not all(map(math.isfinite, (x, y, pressure))) or max(abs(x), abs(y)) > FARTHEST_M:
+        return None
+    return Sample(x, y, min(max(pressure, 0.0), 1.0))
+
+
+def _joined(rects: list[Rect]) -> list[Rect]:
+    """Neighbours in a list joined where that adds few cells: fewer marks for a quick move, no map-wide ones."""
+    joined: list[Rect] = []
+    for rect in rects:
+        union = joined[-1].union(rect) if joined else rect
+        if joined and union.cells <= 1.5 * max(joined[-1].cells, rect.cells) + 4096:
+            joined[-1] = union
+        else:
+            joined.append(rect)
+    return joined
