@@ -1,0 +1,129 @@
+"""The folder an export lands in: whole or not at all, and never at the cost of anything else (T10)."""
+
+import errno
+import json
+import os
+from pathlib import Path
+
+import numpy as np
+import pytest
+from shorewright.io.export import check, export, unreal
+from shorewright.level import BadInput, Grid, Level
+
+
+def make_level(rows, cols=None, cell_m=1.0, seed=1, low=-30.0, high=55.0, sea_m=0.0):
+    """A rough level whose lowest and highest samples are exactly `low` and `high`."""
+    noise = np.random.default_rng(seed).random((rows, cols or rows))
+    noise = (noise - noise.min()) / (noise.max() - noise.min())
+    level = Level(Grid(rows, cols or rows, cell_m), (low + noise * (high - low)).astype(np.float32))
+    level.set("level.sea_level_m", sea_m)
+    return level
+
+
+def read_manifest(folder):
+    (path,) = folder.glob("*.shorewright.json")
+    return json.loads(path.read_text("utf-8"))
+
+
+def snapshot(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def test_export_replaces_its_own_and_only_its_own(tmp_path):
+    out = tmp_path / "out"
+    export(make_level(20), "unreal", out, name="bay")
+    (out / ".DS_Store").write_bytes(b"finder")
+    first = (out / "bay_height.r16").read_bytes()
+    (out / "bay_height.r16").write_bytes(first[:-7])  # damaged since: exporting again repairs it
+    export(make_level(20, seed=2), "unreal", out, name="bay")
+    assert (out / "bay_height.r16").read_bytes() not in (first, first[:-7])
+    assert check(out) == []
+    assert [path.name for path in tmp_path.iterdir()] == ["out"]
+
+
+def test_foreign_things_are_never_touched(tmp_path):
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "notes.txt").write_text("mine", "utf-8")
+    with pytest.raises(BadInput, match=r"notes\.txt"):
+        export(make_level(8), "unreal", out)
+    assert snapshot(out) == {"notes.txt": b"mine"}
+    (out / "notes.txt").unlink()
+    export(make_level(8), "unreal", out, name="bay")
+    before = snapshot(out)
+    for target, name in (("raw", "bay"), ("unreal", "cove")):
+        with pytest.raises(BadInput, match="did not write"):
+            export(make_level(8), target, out, name=name)
+    (out / "mine.psd").write_bytes(b"1")
+    with pytest.raises(BadInput, match=r"mine\.psd"):
+        export(make_level(8), "unreal", out, name="bay")
+    assert snapshot(out) == before | {"mine.psd": b"1"}
+    with pytest.raises(BadInput, match="is a file"):
+        export(make_level(8), "unreal", out / "mine.psd")
+
+
+@pytest.mark.parametrize(
+    "fault", [OSError(errno.ENOSPC, os.strerror(errno.ENOSPC)), KeyboardInterrupt(), ValueError("bug")]
+)
+@pytest.mark.parametrize("earlier", [False, True])
+def test_broken_off_export_leaves_what_was_there(tmp_path, monkeypatch, fault, earlier):
+    """A full disk, Ctrl+C or a bug in mid-export: no new folder, or the old one byte for byte."""
+    out = tmp_path / "out"
+    if earlier:
+        export(make_level(20), "unreal", out, name="bay")
+    before = snapshot(out) if earlier else None
+
+    def fail(path, *_):
+        path.write_bytes(b"half")
+        raise fault
+
+    monkeypatch.setattr(unreal.maps, "write_u16", fail)
+    wanted = BadInput if isinstance(fault, OSError) else type(fault)
+    with pytest.raises(wanted, match="No space left" if isinstance(fault, OSError) else None):
+        export(make_level(20, seed=2), "unreal", out, name="bay")
+    assert (snapshot(out) if out.exists() else None) == before
+    assert [path.name for path in tmp_path.iterdir()] == (["out"] if earlier else [])
+
+
+def test_failed_swap_puts_the_old_export_back(tmp_path, monkeypatch):
+    out = tmp_path / "out"
+    export(make_level(20), "unreal", out, name="bay")
+    before, rename = snapshot(out), Path.rename
+
+    def refuse_the_new(self, target):
+        if ".part-" in self.name:
+            raise OSError(errno.EIO, "I/O error")
+        return rename(self, target)
+
+    monkeypatch.setattr(Path, "rename", refuse_the_new)
+    with pytest.raises(BadInput, match="I/O error"):
+        export(make_level(20, seed=2), "unreal", out, name="bay")
+    assert snapshot(out) == before
+    assert [path.name for path in tmp_path.iterdir()] == ["out"]
+
+
+def test_folder_that_fills_up_meanwhile_is_not_replaced(tmp_path, monkeypatch):
+    out, write = tmp_path / "out", unreal.maps.write_u16
+
+    def somebody_comes(path, *rest):
+        write(path, *rest)
+        out.mkdir()
+        (out / "notes.txt").write_text("mine", "utf-8")
+
+    monkeypatch.setattr(unreal.maps, "write_u16", somebody_comes)
+    with pytest.raises(BadInput, match=r"notes\.txt"):
+        export(make_level(8), "unreal", out)
+    assert snapshot(out) == {"notes.txt": b"mine"}
+
+
+def test_manifest_cannot_claim_files_outside_its_folder(tmp_path):
+    """Replacing an export deletes what its manifest lists, so a doctored list must not reach out."""
+    out = tmp_path / "out"
+    (tmp_path / "precious.txt").write_text("keep", "utf-8")
+    export(make_level(8), "unreal", out, name="bay")
+    manifest = read_manifest(out)
+    manifest["files"][0]["name"] = "../precious.txt"
+    (out / "bay.shorewright.json").write_text(json.dumps(manifest), "utf-8")
+    with pytest.raises(BadInput, match=r"bay_height\.r16"):
+        export(make_level(8), "unreal", out, name="bay")
+    assert (tmp_path / "precious.txt").read_text("utf-8") == "keep"

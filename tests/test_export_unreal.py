@@ -1,0 +1,191 @@
+"""The export for Unreal: sizes, exact words, sea level, scales, oblong levels, measured error (T10)."""
+
+import json
+
+import numpy as np
+import pytest
+from shorewright.io.export import check, export, maps, unreal
+from shorewright.level import BadInput, Grid, Level, Rect
+
+PUBLISHED_SIZES = (127, 253, 505, 1009, 2017, 4033, 8129)
+
+
+def make_level(rows, cols=None, cell_m=1.0, seed=1, low=-30.0, high=55.0, sea_m=0.0):
+    """A rough level whose lowest and highest samples are exactly `low` and `high`."""
+    noise = np.random.default_rng(seed).random((rows, cols or rows))
+    noise = (noise - noise.min()) / (noise.max() - noise.min())
+    level = Level(Grid(rows, cols or rows, cell_m), (low + noise * (high - low)).astype(np.float32))
+    level.set("level.sea_level_m", sea_m)
+    return level
+
+
+def read_manifest(folder):
+    (path,) = folder.glob("*.shorewright.json")
+    return json.loads(path.read_text("utf-8"))
+
+
+def unreal_cm(folder):
+    """Height in centimetres as Unreal's importer makes it, north row first: written down here once more, by hand."""
+    manifest = read_manifest(folder)
+    (path,) = folder.glob("*.r16")
+    words = np.frombuffer(path.read_bytes(), "<u2")
+    side = round(len(words) ** 0.5)
+    assert side * side == len(words)
+    return (words.reshape(side, side).astype(float) - 32768) / 128 * manifest["engine"]["scale_z"]
+
+
+def surface(height, rows_from_south, cols):
+    """Bilinear heights at fractional rows × columns, one axis after the other."""
+    along = np.array([np.interp(cols, np.arange(height.shape[1]), row) for row in height.astype(float)])
+    return np.array([np.interp(rows_from_south, np.arange(height.shape[0]), col) for col in along.T]).T
+
+
+# Sizes
+
+
+@pytest.mark.parametrize("size", PUBLISHED_SIZES)
+def test_landscape_size_is_the_smallest_that_holds_the_samples(size):
+    assert unreal.landscape_size(size - 1).samples == size
+    assert unreal.landscape_size(size).samples == size
+    after = PUBLISHED_SIZES.index(size) + 1
+    if after < len(PUBLISHED_SIZES):
+        assert unreal.landscape_size(size + 1).samples == PUBLISHED_SIZES[after]
+    else:
+        with pytest.raises(BadInput, match=r"8130 samples.*8129"):
+            unreal.landscape_size(size + 1)
+
+
+@pytest.mark.parametrize("size", unreal.SIZES, ids=lambda size: str(size.samples))
+def test_landscape_sizes_follow_epics_formula(size):
+    assert size.samples == size.components * size.sections * size.quads + 1
+    assert size.quads in (7, 15, 31, 63, 127, 255)
+    assert size.sections in (1, 2)
+    assert size.components**2 <= 1024
+
+
+@pytest.mark.parametrize(
+    ("samples", "size"), [(2, 127), (126, 127), (127, 127), (128, 253), (253, 253), (254, 505), (505, 505), (506, 1009)]
+)
+def test_unreal_decodes_to_the_ground(tmp_path, samples, size):
+    """The words, decoded by the published formula, are the level's surface at the landscape's samples, on any size."""
+    level = make_level(samples, cell_m=2.5)
+    export(level, "unreal", tmp_path / "out", name="coast")
+    manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
+    assert cm.shape == (size, size)
+    world_m = (samples - 1) * 2.5
+    assert manifest["engine"]["scale_x"] == manifest["engine"]["scale_y"] == pytest.approx(100 * world_m / (size - 1))
+    assert manifest["engine"]["sample_spacing_m"] <= 2.5
+    at = np.linspace(0, samples - 1, size)
+    off = np.abs(cm - 100 * surface(level.height, at[::-1], at)).max()
+    (record,) = manifest["files"]
+    step = manifest["engine"]["scale_z"] / 128
+    assert record["quantisation_step_cm"] == pytest.approx(step, rel=1e-12)
+    assert record["max_error_cm"] == pytest.approx(off, abs=1e-6)
+    assert 0 < off <= step / 2 + 1e-6
+
+
+def test_level_of_a_landscapes_size_goes_over_sample_for_sample(tmp_path):
+    level = make_level(127)
+    export(level, "unreal", tmp_path / "out")
+    off = np.abs(unreal_cm(tmp_path / "out") - 100 * level.height[::-1].astype(float)).max()
+    manifest = read_manifest(tmp_path / "out")
+    assert off <= manifest["engine"]["scale_z"] / 256 + 1e-6
+    assert manifest["files"][0]["max_error_at_level_samples_cm"] == pytest.approx(off, abs=1e-6)
+    assert manifest["notes"] == []
+
+
+def test_loss_at_the_levels_own_samples_is_told(tmp_path):
+    """Samples between the level's own cannot show every peak; by how much is measured and said."""
+    level = make_level(150)
+    export(level, "unreal", tmp_path / "out")
+    manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
+    at = np.arange(150) * (252 / 149)
+    off = surface(cm[::-1], at, at) - 100 * level.height
+    (record,) = manifest["files"]
+    assert record["max_error_at_level_samples_cm"] == pytest.approx(np.abs(off).max(), abs=1e-3)
+    assert record["rms_error_at_level_samples_cm"] == pytest.approx(np.sqrt(np.square(off).mean()), abs=1e-3)
+    assert any("253 samples" in note for note in manifest["notes"])
+
+
+# Exact words
+
+
+def test_known_heights_become_known_words(tmp_path):
+    """ScaleZ 100 spans -256 … 255.992 m; every corner has its own word, the north-west one comes first."""
+    height = np.zeros((127, 127), np.float32)
+    height[0, 0], height[0, -1] = -256.0, -128.0  # south-west, south-east
+    height[-1, 0], height[-1, -1] = 128.0, 256 - 1 / 128  # north-west, north-east
+    export(Level(Grid(127, 127), height), "unreal", tmp_path / "out", name="corners")
+    data = (tmp_path / "out" / "corners_height.r16").read_bytes()
+    words = np.frombuffer(data, "<u2").reshape(127, 127)
+    assert read_manifest(tmp_path / "out")["engine"]["scale_z"] == 100.0
+    assert data[:2] == bytes([0x00, 0xC0])  # 49152 = 128 m, little-endian
+    assert [int(words[r, c]) for r, c in ((0, 0), (0, -1), (-1, 0), (-1, -1))] == [49152, 65535, 0, 16384]
+    assert (words[1:-1] == 32768).all()
+
+
+@pytest.mark.parametrize("sea_m", [0.0, 3.7, -41.25])
+def test_sea_level_lands_on_32768(tmp_path, sea_m):
+    level = make_level(60, low=sea_m - 20, high=sea_m + 9, sea_m=sea_m)
+    level.write("height", Rect(10, 20, 30, 50), sea_m)
+    export(level, "unreal", tmp_path / "out")
+    words = np.fromfile(next((tmp_path / "out").glob("*.r16")), "<u2").reshape(127, 127)
+    at = np.linspace(0, 59, 127)
+    rows, cols = (at[::-1] >= 10) & (at[::-1] <= 29), (at >= 20) & (at <= 49)
+    assert (words[np.ix_(rows, cols)] == 32768).all()
+    assert read_manifest(tmp_path / "out")["world"]["sea_level_m"] == sea_m
+
+
+@pytest.mark.parametrize(
+    ("low", "high"), [(-30, 55), (-55, 30), (2, 7), (-900, -20), (-1437, 2205), (-0.004, 0.001), (-256, 256 - 1 / 128)]
+)
+def test_scale_z_is_the_smallest_that_holds_the_level(tmp_path, low, high):
+    wanted = 100 * max(abs(low) / 256 if low < 0 else 0, high / (256 - 1 / 128))
+    scale = unreal.smallest_scale_z(low, high)
+    assert wanted - 1e-9 <= scale <= wanted + 1e-6
+    export(make_level(127, low=low, high=high), "unreal", tmp_path / "out")
+    assert read_manifest(tmp_path / "out")["engine"]["scale_z"] == pytest.approx(scale, abs=1e-5)  # float32 heights
+    words = np.fromfile(next((tmp_path / "out").glob("*.r16")), "<u2").astype(int)
+    unused = words.min() if -low / 256 > high / (256 - 1 / 128) else 65535 - words.max()
+    assert unused <= 1 + 32768 * 1e-6 / scale  # so a smaller scale would clip
+
+
+def test_flat_level_at_sea_level_gets_the_engines_scale(tmp_path):
+    export(Level(Grid(9, 9), np.zeros((9, 9), np.float32)), "unreal", tmp_path / "out")
+    assert read_manifest(tmp_path / "out")["engine"]["scale_z"] == 100.0
+    assert (unreal_cm(tmp_path / "out") == 0).all()
+    assert check(tmp_path / "out") == []
+
+
+@pytest.mark.parametrize(("rows", "cols"), [(127, 64), (64, 127), (100, 30), (30, 100)])
+def test_oblong_level_keeps_square_cells_and_its_edge_goes_on(tmp_path, rows, cols):
+    level = make_level(rows, cols, cell_m=3.0)
+    export(level, "unreal", tmp_path / "out")
+    manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
+    engine, part = manifest["engine"], manifest["engine"]["level_part"]
+    assert engine["scale_x"] == engine["scale_y"] == pytest.approx(100 * (max(rows, cols) - 1) * 3.0 / 126)
+    at = np.linspace(0, max(rows, cols) - 1, 127)
+    wanted = 100 * surface(level.height, (rows - 1) - np.minimum(at, rows - 1), np.minimum(at, cols - 1))
+    assert np.abs(cm - wanted).max() <= engine["scale_z"] / 256 + 1e-6
+    assert (part["east_cm"], part["south_cm"]) == (300.0 * (cols - 1), 300.0 * (rows - 1))
+    assert (part["cols"], part["rows"]) == ((at <= cols - 1).sum(), (at <= rows - 1).sum())
+    beyond = cm[part["rows"] :] if rows < cols else cm[:, part["cols"] :].T
+    assert len(beyond) > 20
+    assert (beyond == beyond[0]).all()
+    assert any("north-west" in note for note in manifest["notes"])
+
+
+def test_recipe_types_the_values_that_decode(tmp_path):
+    """What a person types into the dialog is what the words were made with, to the last digit of ScaleZ."""
+    export(make_level(100, 80), "unreal", tmp_path / "out", name="bay")
+    manifest = read_manifest(tmp_path / "out")
+    engine, recipe = manifest["engine"], " | ".join(manifest["import_recipe"])
+    assert f"Scale: X {engine['scale_x']:.6f} Y {engine['scale_y']:.6f} Z {engine['scale_z']:.6f}" in recipe
+    assert float(f"{engine['scale_z']:.6f}") == engine["scale_z"]
+    assert "bay_height.r16 (127 x 127)" in recipe
+    assert engine["dialog_x_cm"] == pytest.approx(100 * 99 / 2)  # half of the longer side: the dialog wants the centre
+
+
+def test_words_leaving_sixteen_bits_are_an_error():
+    with pytest.raises(ValueError, match="leave the 16-bit range"):
+        maps.quantise(np.array([0.0, 70000.0]), 0.0, 1.0)
