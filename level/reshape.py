@@ -11,7 +11,7 @@ import math
 import numpy as np
 
 from .errors import BadInput
-from .grid import TILE, Grid, Rect
+from .grid import Grid, Rect
 from .layers import LayerData
 from .level import Level
 
@@ -34,20 +34,18 @@ def _filtered(values: np.ndarray, count: int, step: float) -> np.ndarray:
     first = np.floor(place - reach).astype(np.int64) + 1
     # Towards an edge the filter narrows on both sides alike: cut on one side only it would bend a slope.
     room = np.maximum(np.minimum(np.minimum(place, old - 1 - place), reach), 1.0)
-    taps = math.ceil(2 * reach) + 1
+    width = np.minimum(room, reach)
     out, total = np.zeros((count, *values.shape[1:]), np.float32), np.zeros(count)
-    for tap in range(taps):
+    taps = []
+    for tap in range(math.ceil(2 * reach) + 1):
         index = first + tap
-        weight = np.maximum(1 - np.abs(index - place) / np.minimum(room, reach), 0)
-        weight[(index < 0) | (index >= old)] = 0
+        weight = np.maximum(1 - np.abs(index - place) / width, 0) * ((index >= 0) & (index < old))
         total += weight
-    for tap in range(taps):
-        index = first + tap
-        weight = np.maximum(1 - np.abs(index - place) / np.minimum(room, reach), 0)
-        weight[(index < 0) | (index >= old)] = 0
-        share = (weight / total).astype(np.float32).reshape(-1, *(1,) * (values.ndim - 1))
-        if share.any():
-            out += share * values[np.clip(index, 0, old - 1)]
+        taps.append((np.clip(index, 0, old - 1), weight))
+    for index, weight in taps:
+        if weight.any():
+            share = (weight / total).astype(np.float32).reshape(-1, *(1,) * (values.ndim - 1))
+            out += share * values[index]
     return out
 
 
@@ -78,9 +76,8 @@ def crop_rect(grid: Grid, west_m: float, south_m: float, east_m: float, north_m:
         raise BadInput("a crop needs four finite numbers: west, south, east, north in metres")
     size = f"{grid.extent_m[0]:g} × {grid.extent_m[1]:g} m"
     if not (0 <= west_m < east_m <= grid.extent_m[0] + 1e-6 and 0 <= south_m < north_m <= grid.extent_m[1] + 1e-6):
-        raise BadInput(
-            f"a crop from {west_m:g},{south_m:g} to {east_m:g},{north_m:g} m is empty or leaves the level, which is {size}"
-        )
+        asked = f"{west_m:g},{south_m:g} to {east_m:g},{north_m:g} m"
+        raise BadInput(f"a crop from {asked} is empty or leaves the level, which is {size}")
     cell = grid.cell_m
     low = (math.floor(south_m / cell + 1e-6), math.floor(west_m / cell + 1e-6))
     high = (math.ceil(north_m / cell - 1e-6) + 1, math.ceil(east_m / cell - 1e-6) + 1)
@@ -126,7 +123,7 @@ def _put(target: LayerData, values: np.ndarray) -> None:
 
 
 def replace_base(level: Level, base: np.ndarray, cell_m: float) -> bool:
-    """Import under the artist's work: another ground, the same layers where the grid is the same; returns whether it was."""
+    """Import under the artist's work: another ground; True when the grid is the same, so that the layers stay."""
     grid = Grid(*base.shape, cell_m)
     same = grid == level.grid
     old = {name: data for name, data in level.layers.items() if not data.neutral}
@@ -136,6 +133,3 @@ def replace_base(level: Level, base: np.ndarray, cell_m: float) -> bool:
             for tile in map(tuple, np.argwhere(data.written)):
                 level.layers[name].put_tile(tile, data.tile(tile))
     return same
-
-
-__all__ = ["TILE", "crop", "crop_rect", "replace_base", "resample", "resize", "resized_grid"]

@@ -1,0 +1,106 @@
+"""ACTIONS: every command of the editor declared once; menus, shortcuts, palette and tests read these rows.
+
+`keys` are text such as `Ctrl+Shift+Z`, as printed on a US keyboard; `run` works on a `Session`, window or not.
+What needs a person's answer (which file?) leaves a request with `Session.ask`, and the window answers.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from ..brushes import BRUSHES
+from ..renderer.views import VIEWS
+from .session import Session
+
+SIZE_STEP = 1.12  # one press of [ or ]
+STRENGTH_STEP = 1.15
+
+
+@dataclass(frozen=True)
+class Action:
+    """A row: `menu` is where it stands ("" for nowhere), `enabled` whether it can do something now."""
+
+    id: str
+    title: str
+    keys: tuple[str, ...]
+    menu: str
+    run: Callable[[Session], object]
+    enabled: Callable[[Session], bool] = lambda session: True
+    repeats: bool = False  # holding the key goes on
+
+
+def _water(session: Session) -> None:
+    session.show = session.show.toggled("water")
+
+
+def _save(session: Session) -> None:
+    session.save() if session.path else session.ask("save_as")
+
+
+def _brush(name: str) -> Callable[[Session], None]:
+    return lambda session: session.pick_brush(name)
+
+
+def _rows() -> list[Action]:
+    return [
+        Action("new", "New…", ("Ctrl+N",), "File", lambda s: s.ask("new")),
+        Action("open", "Open…", ("Ctrl+O",), "File", lambda s: s.ask("open")),
+        Action("save", "Save", ("Ctrl+S",), "File", _save),
+        Action("save_as", "Save as…", ("Ctrl+Shift+S",), "File", lambda s: s.ask("save_as")),
+        Action("import", "Import height…", (), "File", lambda s: s.ask("import")),
+        Action("export", "Export…", ("Ctrl+E",), "File", lambda s: s.ask("export")),
+        Action("quit", "Quit", ("Ctrl+Q",), "File", lambda s: s.ask("quit")),
+        Action("undo", "Undo", ("Ctrl+Z",), "Edit", Session.undo, _can_undo, repeats=True),
+        Action("redo", "Redo", ("Ctrl+Shift+Z", "Ctrl+Y"), "Edit", Session.redo, _can_redo, repeats=True),
+        Action("abort", "Abort stroke", ("Escape",), "Edit", Session.stroke_abort, lambda s: s.stroke is not None),
+        Action("pause", "Pause or run", ("Space",), "Time", Session.toggle_pause),
+        Action("step", "One step on", (".",), "Time", lambda s: s.step_time(1), repeats=True),
+        Action("step_back", "One step back", (",",), "Time", lambda s: s.step_time(-1), repeats=True),
+        Action("water", "Water", ("Shift+W",), "View", _water),
+        Action("walkable", "Walkable ground", ("N",), "View", lambda s: s.ask("walkable")),
+        Action("outline", "Border of the level", (), "View", lambda s: s.ask("outline")),
+        Action("centre", "Centre of the picture", (), "View", lambda s: s.ask("centre")),
+        Action("next_view", "Next view", ("F1",), "View", _view(1), repeats=True),
+        Action("last_view", "View before", ("Shift+F1",), "View", _view(-1), repeats=True),
+        Action("frame", "Frame", ("F",), "View", Session.frame),
+        Action(
+            "smaller", "Smaller brush", ("[",), "Brush", lambda s: s.scale_param("size_m", 1 / SIZE_STEP), repeats=True
+        ),
+        Action("larger", "Larger brush", ("]",), "Brush", _scale("size_m", SIZE_STEP), repeats=True),
+        Action("weaker", "Weaker brush", ("{",), "Brush", _scale("strength", 1 / STRENGTH_STEP), repeats=True),
+        Action("stronger", "Stronger brush", ("}",), "Brush", _scale("strength", STRENGTH_STEP), repeats=True),
+        *(
+            Action(f"brush.{brush.name}", brush.label, (str(n),), "Brush", _brush(brush.name))
+            for n, brush in enumerate(BRUSHES.values(), 1)
+            if n <= 9
+        ),
+    ]
+
+
+def _view(step: int) -> Callable[[Session], None]:
+    def run(session: Session) -> None:
+        names = list(VIEWS)
+        session.view = names[(names.index(session.view) + step) % len(names)]
+
+    return run
+
+
+def _scale(name: str, factor: float) -> Callable[[Session], None]:
+    return lambda session: session.scale_param(name, factor)
+
+
+def _can_undo(session: Session) -> bool:
+    return bool(session.journal.done) or session.stroke is not None
+
+
+def _can_redo(session: Session) -> bool:
+    return bool(session.journal.undone)
+
+
+ACTIONS: dict[str, Action] = {row.id: row for row in _rows()}
+
+
+def by_key(keys: str) -> Action | None:
+    """The row a shortcut stands for."""
+    return next((row for row in ACTIONS.values() if keys in row.keys), None)

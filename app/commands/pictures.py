@@ -1,0 +1,102 @@
+"""`render`: a picture or numbered frames of a level, without a window and without its lock."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated, Literal
+
+from cyclopts import Parameter
+
+from ...level.errors import BadInput
+from .common import assignment, finite, numbers, progress, put, put_notes, size, writable_parent
+
+SUFFIXES = (".png", ".exr")
+
+
+def render(
+    level: Path,
+    *,
+    output: Annotated[Path, Parameter(name=["--output", "-o"], help="PNG: the display picture. EXR: linear radiance.")],
+    camera: Annotated[str, Parameter(allow_leading_hyphen=True, help="A name, or X,Y,Z,YAW,PITCH.")] = "play",
+    size_text: Annotated[str, Parameter(name="--size", help="WIDTHxHEIGHT in pixels.")] = "1280x720",
+    time: Annotated[float, Parameter(allow_leading_hyphen=True, help="Seconds on the level's clock.")] = 0.0,
+    view: Annotated[str, Parameter(help="A buffer or mask; `shorewright views` lists them.")] = "final",
+    assignments: Annotated[
+        list[str] | None, Parameter(name="--set", negative="", help="NAME=VALUE, may repeat.")
+    ] = None,
+    hide: Annotated[list[str] | None, Parameter(negative="", help="Show flags to switch off, by comma.")] = None,
+    quality: Literal["low", "medium", "high"] = "medium",
+    samples: Annotated[int, Parameter(help="Frames accumulated for each picture.")] = 1,
+    frames: Annotated[int | None, Parameter(help="How many numbered pictures, NAME_0001.png and on.")] = None,
+    fps: Annotated[float, Parameter(allow_leading_hyphen=True, help="Pictures a second of level time.")] = 30.0,
+) -> int:
+    """Draw a level into a PNG or EXR and print its path; the picture at a time is the same however it was reached."""
+    if output.suffix.lower() not in SUFFIXES:
+        raise BadInput(f"{output.name} is no picture that can be written: end it in {' or '.join(SUFFIXES)}")
+    options = {"size": size(size_text), "view": view, "quality": quality}
+    options["samples"] = int(finite(samples, "--samples", 1, 4096))
+    times = _times(time, frames, fps)
+    writable_parent(output)
+    found = _level(level, assignments)
+    return _draw(found, _camera(found, camera), output, times, {**options, **_checked(view, hide)})
+
+
+def _times(start: float, frames: int | None, fps: float) -> list[float]:
+    finite(start, "--time", 0, 1e9)
+    finite(fps, "--fps", 0.001, 1000)
+    return [start + n / fps for n in range(int(finite(1 if frames is None else frames, "--frames", 1, 100_000)))]
+
+
+def _level(path: Path, assignments: list[str] | None):
+    from ...io import read_level
+
+    notes: list[str] = []
+    level = read_level(path, notes)
+    put_notes(notes)
+    for text in assignments or []:
+        level.set(*assignment(text))
+    return level
+
+
+def _camera(level, text: str):
+    """A camera by its name, or from five numbers."""
+    from pydantic import ValidationError
+
+    from ...level.framing import cameras
+    from ...level.objects import Camera
+    from ...level.params import sentence
+
+    if "," in text:
+        what = "a camera: give a name or X,Y,Z,YAW,PITCH, such as 40,60,25,45,-55"
+        x, y, z, yaw, pitch = numbers(text, 5, "--camera", what)
+        try:
+            return Camera(id="given", x=x, y=y, z=z, yaw_deg=yaw, pitch_deg=pitch)
+        except ValidationError as error:
+            raise BadInput(sentence(error, "--camera")) from None
+    if text == "play" and "play" not in level.objects:
+        return cameras(level)[0]
+    return level.camera(text)
+
+
+def _checked(view: str, hide: list[str] | None) -> dict:
+    from ...renderer.show import Show
+    from ...renderer.views import find_view
+
+    find_view(view)
+    return {"show": Show.hide(",".join(hide or []))}
+
+
+def _draw(level, camera, output: Path, times: list[float], options: dict) -> int:
+    from ...io.images import write_image
+    from ...renderer import render as picture
+
+    linear = output.suffix.lower() == ".exr"
+    with progress("Drawing") as tell:
+        for number, time_s in enumerate(times, 1):
+            pixels = picture(level, camera, time_s=time_s, linear=linear, **options)
+            single = len(times) == 1
+            path = output if single else output.with_name(f"{output.stem}_{number:04d}{output.suffix}")
+            write_image(path, pixels)
+            tell(number, len(times))
+            put(str(path))
+    return 0

@@ -1,0 +1,214 @@
+"""Edits besides strokes: settings, objects, whole grids, undo, and scripts of all of them (part of the session)."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from ..level import BadInput, Clock
+from ..level.journal import Thing
+from ..level.objects import OBJECT, OBJECT_KINDS
+from ..level.params import get, replace, sentence
+from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
+from . import recovery_record
+from . import script as words
+from .hand import Hand
+
+
+class Edits(Hand):
+    """Everything but strokes that changes a level, each an undoable step."""
+
+    clock: Clock
+
+    # Settings and objects
+
+    def set(self, path: str, value: Any, merge: bool = False) -> None:
+        """Change a setting such as `sea.swell_m`; `merge` joins the steps of a slider drag until `seal`."""
+        changed = replace(self.level.settings, path, value)
+        if changed == self.level.settings:
+            return
+        self._end_stroke()
+        with self._edit(words.Set(name=path, value=get(changed, path)), merge):
+            self.journal.set(path, value, merge)
+
+    def seal(self) -> None:
+        """The slider was let go: its next change is a step of its own."""
+        self.journal.seal()
+
+    def place(self, thing: Any) -> None:
+        """Place an object (model or dict), or put it where the one with its id was; BadInput says what is wrong."""
+        try:
+            thing = OBJECT.validate_python(thing)
+        except ValidationError as error:
+            kinds = ", ".join(OBJECT_KINDS)
+            kind = thing.get("kind") if isinstance(thing, dict) else None
+            told = sentence(error, "object") if kind in OBJECT_KINDS else f"an object's kind is one of {kinds}"
+            raise BadInput(told) from None
+        self._end_stroke()
+        with self._edit(words.Place(object=thing)):
+            self.journal.put(thing.id, thing)
+
+    def remove(self, name: str) -> None:
+        """Remove an object; BadInput when there is none of that id."""
+        if name not in self.level.objects:
+            known = ", ".join(sorted(self.level.objects)) or "none"
+            raise BadInput(f"this level has no object {name!r}; it has: {known}")
+        self._end_stroke()
+        with self._edit(words.Remove(id=name)):
+            self.journal.put(name, None)
+
+    # Whole grids
+
+    def resize(self, samples: int | None = None, cell_m: float | None = None) -> None:
+        """Resample every map: to `samples` on the longer side, or to another cell; the land covered stays."""
+        grid = resized_grid(self.level.grid, samples, cell_m)
+        self._end_stroke()
+        with self._edit(words.Resize(samples=samples, cell_m=cell_m)), self.journal.step("Resize") as step:
+            self.journal.whole(step)
+            resize(self.level, grid)
+
+    def crop(self, west_m: float, south_m: float, east_m: float, north_m: float) -> None:
+        """Keep a rectangle of metres, grown to whole cells; its south-west corner becomes 0, 0, objects move along."""
+        rect = crop_rect(self.level.grid, west_m, south_m, east_m, north_m)
+        word = words.Crop(west_m=west_m, south_m=south_m, east_m=east_m, north_m=north_m)
+        self._end_stroke()
+        with self._edit(word), self.journal.step("Crop") as step:
+            self.journal.whole(step)
+            moved = crop(self.level, rect)
+            for name, thing in list(self.level.objects.items()):
+                there = thing.model_copy(update={"x": thing.x - moved[0], "y": thing.y - moved[1]})
+                step.atoms.append(Thing(name, thing))
+                self.level.put_object(name, there)
+
+    def import_height(self, path: Path | str, **flags) -> list[str]:
+        """Put another ground under what was sculpted, which stays where the grid is the same; returns what to tell."""
+        from ..io import import_height
+
+        found = import_height(path, **flags)
+        self._end_stroke()
+        word = words.Import(path=str(path), flags=flags)
+        with self._edit(word), self.journal.step(f"Import {Path(path).name}") as step:
+            self.journal.whole(step)
+            same = replace_base(self.level, found.height, found.cell_m)
+            self.level.georeference = dict(found.georeference or {})
+        notes = list(found.notes)
+        if not same:
+            notes.append(
+                "the import has another grid, so what was sculpted and painted before is gone (undo brings it back)"
+            )
+        self.notes += notes
+        return notes
+
+    def apply_change(self, change: recovery_record.Change) -> None:
+        """Bring in what a recovery log held, as one step."""
+        with self._edit():
+            recovery_record.apply(self.level, self.journal, change)
+
+    # Undo
+
+    def undo(self) -> str | None:
+        """Go back one step; an open stroke is aborted instead. Returns its label, None when there is none."""
+        if self.stroke:
+            label = self.journal.open.label if self.journal.open else None
+            self.stroke_abort()
+            return label
+        return self._moved(self.journal.undo(), self.journal.undone, "undo")
+
+    def redo(self) -> str | None:
+        """Go forward again; nothing while a stroke is open."""
+        return None if self.stroke else self._moved(self.journal.redo(), self.journal.done, "redo")
+
+    def _moved(self, label: str | None, now_in: list, word: str) -> str | None:
+        if label is not None:
+            self._noted(now_in[-1])
+            self._recorded(words.Plain(do=word))
+        return label
+
+    # Time
+
+    def pause(self) -> None:
+        self.clock.paused = True
+        self._recorded(words.Plain(do="pause"))
+
+    def run_time(self) -> None:
+        """Let time run."""
+        self.clock.paused = False
+        self._recorded(words.Plain(do="run"))
+
+    def toggle_pause(self) -> None:
+        self.run_time() if self.clock.paused else self.pause()
+
+    def step_time(self, steps: int = 1) -> None:
+        """To the next (or, negative, an earlier) whole step of the clock, paused there."""
+        self.clock.step(steps)
+        self._recorded(words.Steps(steps=steps))
+
+    def scrub(self, time_s: float) -> None:
+        """Go to a moment."""
+        self.clock.scrub(time_s)
+        last = self.record[-1] if self.record else None
+        if isinstance(last, words.Time):
+            self.record.pop()
+        self._recorded(words.Time(t=self.clock.time_s))
+
+    # Scripts
+
+    @property
+    def script(self) -> dict:
+        """What was done so far, as plain data that `run` takes."""
+        return words.Script(actions=self.record).dump()
+
+    def run(self, script: dict | words.Script, name: str = "the script", progress=None) -> int:
+        """Do everything in a script, checked first; returns how many actions. BadInput names the action's number."""
+        script = words.parse(script, name)
+        self._rehearse(script, name)
+        for number, action in enumerate(script.actions, 1):
+            try:
+                self._do(action)
+            except BadInput as error:
+                raise BadInput(f"{name}, action {number} ({action.do}): {error}") from None
+            if progress:
+                progress(number, len(script.actions))
+        return len(script.actions)
+
+    def _rehearse(self, script: words.Script, name: str) -> None:
+        """Find unknown brushes, parameters and settings before anything is done."""
+        settings = self.level.settings
+        for number, action in enumerate(script.actions, 1):
+            try:
+                if isinstance(action, words.Stroke):
+                    self.with_params(action.brush, action.params, fresh=True)
+                elif isinstance(action, words.Set):
+                    settings = replace(settings, action.name, action.value)
+            except BadInput as error:
+                raise BadInput(f"{name}, action {number} ({action.do}): {error}") from None
+
+    def _do(self, action: words.Action) -> None:
+        match action:
+            case words.Stroke():
+                options = {"invert": action.invert, "smooth": action.smooth}
+                params = self.with_params(action.brush, action.params, fresh=True)
+                self.draw(action.brush, params, action.points, **options)
+            case words.Set():
+                self.set(action.name, action.value)
+            case words.Time():
+                self.scrub(action.t)
+            case words.Steps():
+                self.step_time(action.steps)
+            case words.Place():
+                self.place(action.object)
+            case words.Remove():
+                self.remove(action.id)
+            case words.Resize():
+                self.resize(action.samples, action.cell_m)
+            case words.Crop():
+                self.crop(action.west_m, action.south_m, action.east_m, action.north_m)
+            case words.Import():
+                self.import_height(action.path, **action.flags)
+            case words.Plain():
+                PLAIN[action.do](self)
+
+
+PLAIN = {"pause": Edits.pause, "run": Edits.run_time, "undo": Edits.undo, "redo": Edits.redo}
