@@ -9,8 +9,8 @@ from scipy.interpolate import PchipInterpolator
 from shorewright.level import Level, Rect
 from shorewright.level.layers import WEATHER_GRID
 
-MOUTH = Rect(372, 540, 520, 700)  # beach and river mouth: what `play` shows, and a margin
-VALLEY = Rect(372, 540, 769, 830)  # the river from the edge of the level to the sea
+MOUTH = Rect(360, 470, 508, 640)  # beach and river mouth: what `play` shows, and a margin
+VALLEY = Rect(360, 460, 769, 770)  # the river from the edge of the level to the sea
 
 
 def disc(x, y, east: float, north: float, radius: float, seed: int) -> np.ndarray:
@@ -23,6 +23,8 @@ def paint(level: Level, maps: dict[str, np.ndarray], seed: int) -> None:
     """Write a patch to each layer; `maps` are those that `cove.height` returns."""
     rows, cols = level.grid.shape
     x, y = np.meshgrid(np.arange(cols, dtype=float), np.arange(rows, dtype=float))
+    hollow = disc(*at(MOUTH, x, y), 557, 449, 6, seed) - 0.5 * disc(*at(MOUTH, x, y), 563, 443, 5, seed + 15)
+    level.write("height", MOUTH, level.height[MOUTH.slices] - 0.4 * hollow)
     river(level, {name: values[VALLEY.slices] for name, values in maps.items()}, *at(VALLEY, x, y), seed)
     near = {name: values[MOUTH.slices] for name, values in maps.items()}
     beach(level, near, *at(MOUTH, x, y), seed)
@@ -50,7 +52,7 @@ def river(level: Level, near: dict, x, y, seed: int) -> None:
     drift = shore_drift(near, past)
     level.write("flow", VALLEY, along * (speed + 0.7 * jet * (1 - mask))[..., None] + drift)
     calm = mask * smoothstep(0.55, 0.1, depth) * smoothstep(-0.1, 0.4, fbm(x, y, 13, 3, seed + 1))
-    rough = mask * smoothstep(0.03, 0.075, fall) * (0.6 + 0.4 * fbm(x, y, 5, 3, seed + 2))
+    rough = mask * smoothstep(0.012, 0.035, fall) * (0.6 + 0.4 * fbm(x, y, 5, 3, seed + 2))
     level.write("river_foam", VALLEY, np.clip(np.stack([0.8 * calm, rough], axis=-1), 0, 1))
 
 
@@ -65,8 +67,8 @@ def beach(level: Level, near: dict, x, y, seed: int) -> None:
     """Painted sea foam, ground cover, and the masks that follow the beach."""
     inland, aside = near["inland"], np.abs(near["river_m"])
     streaks = smoothstep(-0.15, 0.35, fbm(x * 0.5, y, 12, 3, seed + 3))
-    riding = 0.75 * streaks * smoothstep(4, -4, inland) * smoothstep(-40, -14, inland) * smoothstep(590, 572, x)
-    froth = 0.85 * np.maximum(disc(x, y, 565, 421, 8, seed + 4), 0.6 * disc(x, y, 643, 431, 6, seed + 5))
+    riding = 0.75 * streaks * smoothstep(4, -4, inland) * smoothstep(-40, -14, inland) * smoothstep(538, 552, x)
+    froth = 0.85 * np.maximum(disc(x, y, 573, 422, 8, seed + 4), 0.7 * disc(x, y, 553, 403, 8, seed + 5))
     level.write("foam", MOUTH, np.stack([riding, froth], axis=-1))
     first, _, _ = worley(x, y, 5.0, seed + 6)
     tufts = smoothstep(0.55, 0.2, first) * smoothstep(34, 48, inland) * smoothstep(9, 15, aside)
@@ -77,16 +79,16 @@ def beach(level: Level, near: dict, x, y, seed: int) -> None:
     cover = np.stack([np.zeros_like(x), pebbles, 0.9 * tufts, 0.8 * wet], axis=-1)
     level.write("cover", MOUTH, cover)
     level.write("yielding", MOUTH, smoothstep(2, 9, inland) * smoothstep(46, 34, inland) * smoothstep(16, 21, aside))
-    level.write("quiet", MOUTH, disc(x, y, 622, 447, 15, seed + 8))
+    level.write("quiet", MOUTH, disc(x, y, 551, 438, 13, seed + 8))
 
 
 def blots(level: Level, near: dict, x, y, seed: int) -> None:
     """One soft blot each for the layers that no sample weather needs yet."""
-    level.write("puddle_keepout", MOUTH, disc(x, y, 588, 462, 9, seed + 10))
-    level.write("shelter", MOUTH, disc(x, y, 577, 452, 6, seed + 11))
-    level.write("snow", MOUTH, 0.55 * disc(x, y, 604, 470, 7, seed + 12))
-    level.write("ice", MOUTH, 0.8 * disc(x, y, 633, 486, 12, seed + 13) * smoothstep(12, 9, np.abs(near["river_m"])))
-    level.write("corruption", MOUTH, disc(x, y, 596, 424, 12, seed + 14))
+    level.write("puddle_keepout", MOUTH, disc(x, y, 572, 441, 8, seed + 10))
+    level.write("shelter", MOUTH, disc(x, y, 520, 452, 6, seed + 11))
+    level.write("snow", MOUTH, 0.55 * disc(x, y, 557, 464, 6, seed + 12))
+    level.write("ice", MOUTH, 0.8 * disc(x, y, 545, 473, 12, seed + 13) * smoothstep(12, 9, np.abs(near["river_m"])))
+    level.write("corruption", MOUTH, disc(x, y, 528, 422, 12, seed + 14))
 
 
 def sky(level: Level, seed: int) -> None:

@@ -21,9 +21,9 @@ SEED = 7
 STEP_M = 1 / 1024  # heights are whole multiples of it: the same on every machine, and half the bytes
 
 COVE_CAMERAS = [
-    Camera(id="play", x=648, y=468, z=52, yaw_deg=232, pitch_deg=-55, fov_deg=45),
-    Camera(id="beach", x=470, y=428, z=1.9, yaw_deg=245, pitch_deg=-2, fov_deg=50),
-    Camera(id="survey", x=590, y=890, z=300, yaw_deg=189, pitch_deg=-24, fov_deg=52),
+    Camera(id="play", x=584, y=462, z=58, yaw_deg=234, pitch_deg=-55, fov_deg=45),
+    Camera(id="beach", x=612, y=420, z=1.9, yaw_deg=113, pitch_deg=2, fov_deg=42),
+    Camera(id="survey", x=440, y=885, z=300, yaw_deg=172, pitch_deg=-24, fov_deg=52),
 ]
 COVE_SETTINGS = {
     "level.seed": SEED,
@@ -49,8 +49,8 @@ def make_cove(seed: int = SEED) -> Level:
     ground, maps = cove.height(seed)
     level = build(ground, COVE_SETTINGS, COVE_CAMERAS)
     cove_paint.paint(level, maps, seed + 100)
-    pushes = [(0.5, 604, 428, 4.0, 3.5), (2.0, 588, 430, 2.5, 2.0)]
-    pushes += [(1.0 + 0.75 * k, 576 + 2.4 * k, 436 - 1.5 * k, 1.6, 1.2) for k in range(8)]  # somebody wades out
+    pushes = [(0.5, 548, 410, 4.0, 3.5), (2.0, 540, 416, 2.5, 2.0)]
+    pushes += [(1.0 + 0.75 * k, 566 - 1.4 * k, 426 - 2.4 * k, 1.6, 1.2) for k in range(8)]  # somebody wades out
     for index, (time_s, x, y, radius_m, strength) in enumerate(pushes):
         name = f"push-{index:02d}"
         level.put_object(name, Disturbance(id=name, x=x, y=y, time_s=time_s, radius_m=radius_m, strength=strength))

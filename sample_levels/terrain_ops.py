@@ -1,9 +1,8 @@
-"""What shapes land after noise: curves to build along, rivers cutting valleys, cliffs in beds of rock, scree."""
+"""What shapes land after noise: curves to build along, streams that cut valleys, rock that crumbles to scree."""
 
 from __future__ import annotations
 
 import numpy as np
-from noise_ops import fbm, smoothstep
 from scipy import ndimage
 from scipy.interpolate import CubicSpline
 from scipy.spatial import cKDTree
@@ -100,43 +99,6 @@ def crumble(rock, loose, rock_slope, loose_slope: float, cell_m: float, steps: i
             moved += shifted(out, -dy, -dx)
         loose += moved
     return rock, loose
-
-
-def beds(z, x, y, dip: tuple[float, float], thickness_m: float, seed: int) -> np.ndarray:
-    """Height remapped to a stair of tilted beds of rock: hard ones stand as faces, soft ones weather to ledges."""
-    sag = 0.7 * thickness_m * fbm(x, y, 140, 2, seed)
-    tilt = dip[0] * x + dip[1] * y + sag
-    u = (z - tilt) / thickness_m
-    whole = np.floor(u)
-    table = np.random.default_rng(seed).random(4096)
-    hardness = table[whole.astype(np.int64) & 4095]
-    part = u - whole
-    sharp = 0.16 + 0.5 * hardness  # part of the bed that is its ledge
-    step = smoothstep(0, 1, np.clip((part - sharp) / (1 - sharp), 0, 1))
-    return (whole + step) * thickness_m + tilt
-
-
-def boulders(height, places: np.ndarray, seed: int) -> np.ndarray:
-    """Rocks half sunk where they lie: `places` rows are (x, y, radius, height) metres on a 1 m grid."""
-    height = height.copy()
-    rng = np.random.default_rng(seed)
-    for x, y, radius, tall in places:
-        turn, flat, lean = rng.random(3)
-        reach = int(radius * 1.5) + 2
-        row, col = int(y), int(x)
-        if not (reach < row < height.shape[0] - reach and reach < col < height.shape[1] - reach):
-            continue
-        window = height[row - reach : row + reach + 1, col - reach : col + reach + 1]
-        dy, dx = (
-            np.mgrid[row - reach : row + reach + 1, col - reach : col + reach + 1] - np.array([y, x])[:, None, None]
-        )
-        cosine, sine = 1 - 2 * turn, 2 * np.sqrt(turn * (1 - turn))
-        u, v = (cosine * dx + sine * dy) / radius, (cosine * dy - sine * dx) / (radius * (0.6 + 0.4 * flat))
-        q = np.maximum(np.abs(u), np.abs(v)) * 0.55 + np.sqrt(u * u + v * v) * 0.45  # between a block and an egg
-        top = tall * np.clip(1.15 - q**3, -1, 1) * (1 + 0.3 * (lean - 0.5) * u)
-        foot = ndimage.minimum(window) * 0.35 + float(window[reach, reach]) * 0.65
-        np.maximum(window, np.where(q < 1.05, foot + top, window), out=window)
-    return height
 
 
 def upsample(coarse: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
