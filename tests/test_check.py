@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from shorewright import io
 from shorewright.io import write_level
 from shorewright.io.export import EXPORTERS, check, export
 from shorewright.io.images import write_image
@@ -148,7 +149,7 @@ def test_level_folders_are_checked(tmp_path):
     level = make_level()
     level.write("foam", Rect(0, 0, 9, 9), 0.5)
     write_level(level, folder)
-    assert check(folder) == check(folder / "level.json") == []
+    assert check(folder) == check(folder / "level.json") == io.check(folder) == []
     base = folder / "layers" / "height_base.r0.c0.exr"
     data = base.read_bytes()
     for damaged in (data[: len(data) // 2], b"", b"no picture"):

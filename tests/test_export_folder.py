@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+import shutil
 from pathlib import Path
 
 import numpy as np
@@ -85,21 +86,53 @@ def test_broken_off_export_leaves_what_was_there(tmp_path, monkeypatch, fault, e
     assert [path.name for path in tmp_path.iterdir()] == (["out"] if earlier else [])
 
 
-def test_failed_swap_puts_the_old_export_back(tmp_path, monkeypatch):
-    out = tmp_path / "out"
+@pytest.mark.parametrize("failing", range(4))
+def test_failed_move_puts_the_old_export_back(tmp_path, monkeypatch, failing):
+    """Two files leave and two come; whichever of the four moves the disk refuses, the old export stands."""
+    out, rename, moves = tmp_path / "out", Path.rename, []
     export(make_level(20), "unreal", out, name="bay")
-    before, rename = snapshot(out), Path.rename
+    before = snapshot(out)
 
-    def refuse_the_new(self, target):
-        if ".part-" in self.name:
+    def refuse(self, target):
+        moves.append(target)
+        if len(moves) == failing + 1:
             raise OSError(errno.EIO, "I/O error")
         return rename(self, target)
 
-    monkeypatch.setattr(Path, "rename", refuse_the_new)
+    monkeypatch.setattr(Path, "rename", refuse)
     with pytest.raises(BadInput, match="I/O error"):
         export(make_level(20, seed=2), "unreal", out, name="bay")
     assert snapshot(out) == before
-    assert [path.name for path in tmp_path.iterdir()] == ["out"]
+
+
+@pytest.mark.parametrize("killed_after", range(5))
+def test_killed_while_replacing_is_found_and_repaired(tmp_path, monkeypatch, killed_after):
+    """What a killed program leaves is never taken for a whole export, and the next export puts it right."""
+    out, rename, moves = tmp_path / "out", Path.rename, []
+    export(make_level(20), "unreal", out, name="bay")
+
+    def until_killed(self, target):
+        moves.append(target)
+        if len(moves) <= killed_after:
+            rename(self, target)
+
+    with monkeypatch.context() as patch:  # the moves after the kill don't happen, and nobody tidies up
+        patch.setattr(Path, "rename", until_killed)
+        patch.setattr(shutil, "rmtree", lambda *_, **__: None)
+        export(make_level(20, seed=2), "unreal", out, name="bay")
+    assert (check(out) == []) == (killed_after in (0, 4))
+    export(make_level(20, seed=3), "unreal", out, name="bay")
+    assert check(out) == []
+
+
+def test_working_directory_stays_the_same_folder(tmp_path, monkeypatch):
+    """`-o .` and mount points: an existing folder is filled, not exchanged."""
+    monkeypatch.chdir(tmp_path)
+    for seed in (1, 2):
+        inode = tmp_path.stat().st_ino
+        export(make_level(8, seed=seed), "unreal", ".", name="bay")
+        assert tmp_path.stat().st_ino == inode
+        assert sorted(os.listdir()) == ["bay.shorewright.json", "bay_height.r16"]
 
 
 def test_folder_that_fills_up_meanwhile_is_not_replaced(tmp_path, monkeypatch):

@@ -1,7 +1,7 @@
-"""The folder an export lands in: written beside it under a temporary name, then moved there whole.
+"""The folder an export lands in: written under a temporary name beside or inside it, then moved there.
 
-A folder is only ever replaced when everything in it was written by an earlier export of the same level to the same
-target, as its manifest says; anything else in it means that the person chose the wrong folder.
+A folder is only ever written to when everything in it came from an earlier export of the same level to the same target,
+as its manifest says; anything else in it means that the person chose the wrong folder.
 """
 
 from __future__ import annotations
@@ -17,46 +17,52 @@ from ...level import BadInput
 from .manifest import inside, load
 
 JUNK = frozenset({".DS_Store", "Thumbs.db", "desktop.ini"})  # file browsers leave these everywhere
+PART = ".shorewright-part-"
 
 
 @contextmanager
 def staged(out: Path, manifest_name: str, target: str) -> Iterator[Path]:
-    """A new empty folder that takes the place of `out` when the block ends well, and vanishes when it doesn't.
+    """A new empty folder whose files become those of `out` when the block ends well, and vanish when it doesn't.
 
-    BadInput when `out` holds other things or the disk refuses.
+    A new `out` appears by one rename. One that exists may be a mount point or somebody's working directory, so it
+    stays and its files are moved. BadInput when `out` holds other things or the disk refuses.
     """
     out = out.resolve()
-    refuse_foreign(out, manifest_name, target)
-    part = out.with_name(f".{out.name}.part-{os.getpid()}-{secrets.token_hex(4)}")
+    owned(out, manifest_name, target)
+    fresh = not out.exists()
+    part = (out.parent if fresh else out) / f"{PART}{os.getpid()}-{secrets.token_hex(4)}"
     try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        part.mkdir()
+        part.mkdir(parents=True)
         yield part
-        refuse_foreign(out, manifest_name, target)  # a long export: somebody may have put something there since
-        _swap(part, out)
+        before = owned(out, manifest_name, target)  # a long export: somebody may have put something there since
+        if out.exists():
+            _replace(part, out, before, manifest_name)
+        else:
+            part.rename(out)
     except OSError as error:
         raise BadInput(f"cannot write the export to {out}: {error.strerror or error}") from None
     finally:
         shutil.rmtree(part, ignore_errors=True)
 
 
-def refuse_foreign(out: Path, manifest_name: str, target: str) -> None:
-    """BadInput unless `out` is missing, empty, or holds only what an earlier export of this kind wrote."""
+def owned(out: Path, manifest_name: str, target: str) -> list[str]:
+    """Names in `out` that an earlier export of this kind wrote; BadInput when there is anything else."""
     if not out.exists():
-        return
+        return []
     if not out.is_dir():
         raise BadInput(f"{out} is a file; name a folder for the export")
     try:
-        found = {entry.name for entry in out.iterdir()} - JUNK
+        found = {entry.name for entry in out.iterdir() if not entry.name.startswith(PART)} - JUNK
     except OSError as error:
         raise BadInput(f"cannot look into {out}: {error.strerror or error}") from None
-    foreign = sorted(found - _owned(out / manifest_name, target)) if found else []
+    foreign = sorted(found - _listed(out / manifest_name, target)) if found else []
     if foreign:
         shown = ", ".join(foreign[:3]) + (f" and {len(foreign) - 3} more" if len(foreign) > 3 else "")
         raise BadInput(f"{out} holds things this export did not write ({shown}); name a new or empty folder")
+    return sorted(found)
 
 
-def _owned(manifest: Path, target: str) -> set[str]:
+def _listed(manifest: Path, target: str) -> set[str]:
     """Names that the manifest of an earlier export of this level to this target lists, and its own; else none."""
     if not manifest.is_file():
         return set()
@@ -67,17 +73,23 @@ def _owned(manifest: Path, target: str) -> set[str]:
     return {name for name in names if isinstance(name, str) and inside(name)} | {manifest.name}
 
 
-def _swap(part: Path, out: Path) -> None:
-    """Put `part` where `out` is. Two renames: killed between them, the old export stands beside, whole, with `.old`."""
-    if not out.exists():
-        part.rename(out)
-        return
-    old = out.with_name(f".{out.name}.old-{part.name.rpartition('-')[2]}")
-    shutil.copymode(out, part)
-    out.rename(old)
+def _replace(part: Path, out: Path, before: list[str], manifest_name: str) -> None:
+    """Move the files `before` aside and those of `part` in; whatever stops that, all is put back.
+
+    The old manifest leaves last and the new one comes first: killed at any moment, the manifest in the folder lists
+    all that is there, so `check` tells what is missing and the next export may replace it.
+    """
+    aside = part / ".before"
+    aside.mkdir()
+    leaving = sorted(before, key=lambda name: name == manifest_name)
+    coming = sorted((path.name for path in part.iterdir() if path != aside), key=lambda name: name != manifest_name)
+    moves = [(out / name, aside / name) for name in leaving] + [(part / name, out / name) for name in coming]
+    done: list[tuple[Path, Path]] = []
     try:
-        part.rename(out)
-    except OSError:
-        old.rename(out)
+        for here, there in moves:
+            here.rename(there)
+            done.append((here, there))
+    except BaseException:
+        for here, there in reversed(done):
+            there.rename(here)
         raise
-    shutil.rmtree(old, ignore_errors=True)

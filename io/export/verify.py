@@ -1,14 +1,13 @@
-"""Check an export or a level folder: names, sizes, hashes, ranges, and every height decoded with the engine's formula.
+"""Check an export: names, sizes, hashes, ranges, and every height decoded with the engine's formula.
 
-Findings are sentences; an empty list means fine. Nothing a manifest says is believed before it was measured, and no
-file outside the folder is ever opened.
+Findings are sentences; an empty list means fine (a level folder goes to `io.check_level`). Nothing a manifest says is
+believed before it was measured, and no file outside the folder is ever opened.
 """
 
 from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 from pydantic import ValidationError
 
 from ...level import BadInput
@@ -29,26 +28,10 @@ def check(path: str | Path) -> list[str]:
             raise BadInput(f"{path} is neither an export nor a level: name its folder")
         path = path.parent
     if path.suffix == ".shore" or (path / "level.json").exists():
+        from ..check_level import check_level
+
         return check_level(path)
     return check_export(path)
-
-
-def check_level(path: Path) -> list[str]:
-    """Read a whole level folder as the editor would; what stops that, or would spoil it later, is a finding."""
-    from ..package import read_level
-
-    findings: list[str] = []  # files that somebody changed since the last save are noted there
-    try:
-        level = read_level(path, findings)
-    except BadInput as error:
-        return [str(error)]
-    for name, data in level.layers.items():
-        if name != "height" and data.neutral:
-            continue
-        bad = int((~np.isfinite(data.array)).sum())
-        if bad:
-            findings.append(f"layer {name} holds {bad} values that are no numbers")
-    return findings
 
 
 def check_export(folder: Path) -> list[str]:
