@@ -9,6 +9,9 @@ import math
 from dataclasses import dataclass
 
 
+LATEST_S = 1e9  # thirty years; beyond it a float64 no longer tells single frames apart
+
+
 @dataclass
 class Clock:
     """Time in seconds; `loop` is (start, end) or None."""
@@ -35,11 +38,11 @@ class Clock:
 
     def scrub(self, time_s: float) -> None:
         """Go to a moment; outside the loop is allowed, the loop takes hold again when time runs."""
-        self.time_s = max(float(time_s), 0.0) if math.isfinite(time_s) else self.time_s
+        self.time_s = min(max(float(time_s), 0.0), LATEST_S) if math.isfinite(time_s) else self.time_s
 
     def _go(self, time_s: float) -> None:
         if self.loop and self.loop[1] > self.loop[0]:
             start, end = self.loop
             if time_s >= end or time_s < start:
                 time_s = start + (time_s - start) % (end - start)
-        self.time_s = max(time_s, 0.0)
+        self.time_s = min(max(time_s, 0.0), LATEST_S)

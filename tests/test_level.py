@@ -150,7 +150,7 @@ def test_clock_never_leaves_the_numbers(value):
     clock.scrub(value)
     clock.advance(value)
     assert clock.time_s >= 0
-    assert np.isfinite(clock.time_s) or value > 1e300
+    assert np.isfinite(clock.time_s)
 
 
 def test_walkable_is_wading_depth_and_slope():
