@@ -26,6 +26,8 @@ def check_level(path: Path) -> list[str]:
     try:
         if pending(path) is not None:
             return [f"{path} has a save that was interrupted: opening it for editing finishes it"]
+        if not (path / level_json.NAME).resolve().is_relative_to(path.resolve()):
+            return [f"{path / level_json.NAME} is a link that leads out of the level"]
         manifest = level_json.parse(path / level_json.NAME, (path / level_json.NAME).read_bytes())
     except BadInput as error:
         return [str(error)]

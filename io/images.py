@@ -1,8 +1,8 @@
 """Images through OpenImageIO, with every trap of that road guarded.
 
-`write_image` writes what was asked or raises: OpenImageIO reports success on 2-D arrays it wrote as garbage and on a PNG
-that a full disk cut short, takes the last channel of a 2- or 4-channel PNG for alpha and multiplies with it, stamps the
-current date into files, tags 16-bit PNG as sRGB, and its `geterror()` can raise. Row 0 of every array here is the
+`write_image` writes what was asked or raises. OpenImageIO reports success on 2-D arrays it wrote as garbage and on a
+PNG that a full disk cut short, takes the last channel of a 2- or 4-channel PNG for alpha and multiplies with it, stamps
+the current date into files, tags 16-bit PNG as sRGB, and its `geterror()` can raise. Row 0 of every array here is the
 **top** of the picture.
 """
 

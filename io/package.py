@@ -158,15 +158,24 @@ class LevelFolder:
             list(pool.map(lambda name: check_sector(paths[name], grid, name), paths))  # before memory is taken
             level = _fill(manifest, grid, paths, pool)
             hashes = dict(zip(paths, pool.map(file_hash, paths.values())))
-        known = read_hashes(self._inside(HASHES, record))
-        changed = [str(paths[name]) for name in paths if known.get(name) != hashes[name]]
-        if changed:
-            more = f" and {len(changed) - 1} more" if len(changed) > 1 else ""
-            self.notes.append(f"{changed[0]}{more} changed since Shorewright last saved the level; read as it is")
+        self._compare(paths, read_hashes(self._inside(HASHES, record)), hashes)
         signatures = {name: signature(path) for name, path in paths.items()}
         base = level.layers["height"].base
         _saved[level] = Saved(self.path.resolve(), level.revision, base, hashes, signatures)
         return level
+
+    def _compare(self, paths: dict[str, Path], known: dict[str, str], found: dict[str, str]) -> None:
+        """A sector may decode and yet be damaged (incompressible parts lie bare in the file): its hash tells."""
+        for name, path in paths.items():
+            if known.get(name, found[name]) != found[name]:
+                raise BadInput(
+                    f"{path} was damaged or changed since it was saved, its hash differs: restore it from a copy, or "
+                    f"delete its line in {self.path / HASHES} to use it as it is"
+                )
+        unknown = [str(path) for name, path in paths.items() if name not in known]
+        if unknown:
+            more = f" and {len(unknown) - 1} more" if len(unknown) > 1 else ""
+            self.notes.append(f"{unknown[0]}{more} has no hash in {HASHES}; used as it is")
 
     def _manifest(self, record: dict | None) -> Manifest:
         path = self._inside(level_json.NAME, record)
