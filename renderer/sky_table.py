@@ -25,7 +25,7 @@ SUN_KLUX = np.array(
     [124.0, 128.0, 134.0]
 )  # above the air, linear Rec. 709, balanced for daylight of 5600 K as a camera is
 SUN_RADIUS = 0.00465  # rad
-GROUND_ALBEDO = 0.12
+GROUND_ALBEDO = 0.18
 ROWS, COLUMNS = 96, 64
 EYE_KM = 0.02
 NIGHT = np.array([0.55, 0.75, 1.2]) * 4e-7  # airglow, kcd/m²

@@ -10,6 +10,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/sky.glsl"
 #include "lib/brdf.glsl"
 #include "lib/shadow.glsl"
+#include "lib/land_light.glsl"
 out vec4 out_radiance;
 
 void main() {
@@ -21,8 +22,13 @@ void main() {
     vec3 f0 = vec3(s.specular);
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
     vec3 light = brdf_sun(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
-    light += s.open * brdf_ambient(s.albedo, s.normal, to_eye, s.roughness, f0, sky_irradiance(s.normal),
-                                   sky_radiance_rough(mirror, s.roughness));
+    vec3 mirrored = sky_radiance_rough(mirror, s.roughness) * s.open;
+    if (s.material == SEA && s.roughness < 0.6) {
+        // the coast in the water, as bright as land of a middling albedo
+        float coast = land_in_mirror(u_camera + relative, normalize(vec3(mirror.xy, max(mirror.z, 0.02))));
+        mirrored = mix(mirrored, (sky_irradiance(vec3(0.0, 0.0, 1.0)) + 0.35 * sun_radiance()) * 0.045, coast);
+    }
+    light += brdf_ambient(s.albedo, s.normal, to_eye, s.roughness, f0, sky_irradiance(s.normal) * s.open, mirrored);
     out_radiance = vec4(min(light + s.emissive, MOST_RADIANCE), 1.0);
 }
 #endif

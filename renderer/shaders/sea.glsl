@@ -42,15 +42,17 @@ void main() {
 #ifdef FRAGMENT
 #define WRITE_GBUFFER
 #include "lib/gbuffer.glsl"
-#include "lib/sky.glsl"
 #include "lib/shadow.glsl"
-#include "lib/water.glsl"
-#include "lib/foam.glsl"
+#include "lib/layer.glsl"
+#include "lib/sea_material.glsl"
 uniform sampler2D under_albedo, under_eye_depth;
 uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
 uniform float u_water_roughness, u_water_specular;
 uniform float u_swell_length_m, u_wave_slope;  // root of the mean square slope of the offshore waves
+const int REFINEMENTS = 3;
+const float MOST_REFINED_M = 1.5;
+const float FARTHEST_M = 4e6;  // where the plane ends for float32's sake
 uniform bool u_show_procedural_foam, u_show_painted_foam, u_show_refraction;
 #ifndef HORIZON
 in vec2 v_before;
@@ -77,54 +79,73 @@ vec4 below(vec3 normal, float eye_depth, float away) {
     return vec4(albedo * albedo, thickness);
 }
 
+// The mesh is off the wave by its curvature between vertices: go along the pixel's ray to where it meets the plane that
+// touches the wave, take the wave there, again. Kept where the ray only grazes or the waves lie down.
+void onto_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
+    vec3 start = relative;
+    for (int i = 0; i < REFINEMENTS; ++i) {
+        vec3 off = sea.position - u_camera - relative;
+        float grazing = dot(normalize(relative), sea.normal);
+        float way = dot(off, sea.normal) / (abs(grazing) > 0.02 ? grazing : 0.02);
+        vec3 there = relative + normalize(relative) * way;
+        if (length(there - start) > MOST_REFINED_M || abs(grazing) <= 0.02 || dot(there, u_forward) <= 0.0) break;
+        before += there.xy - (sea.position.xy - u_camera.xy);
+        relative = there;
+        if (abs(way) < 2e-3) break;
+        sea = sea_surface(before);
+    }
+}
+
 void main() {
 #ifdef HORIZON
     vec3 ray = pixel_ray();
     float fall = u_level_sea_level_m - u_camera.z;
     if (ray.z * fall <= 0.0) discard;
-    vec3 relative = ray * (fall / ray.z);
+    vec3 relative = ray * min(fall / ray.z, FARTHEST_M);
     vec2 before = u_camera.xy + relative.xy;
 #else
     vec3 relative = v_relative;
     vec2 before = v_before;
 #endif
-    float away = length(relative), eye_depth = eye_depth_of(relative);
-    vec3 to_eye = -relative / max(away, 1e-4);
     Sea sea = sea_surface(before);
     float share = wave_share(max(abs(relative.x), abs(relative.y)));
+#ifndef HORIZON
+    if (share >= 1.0) onto_surface(relative, before, sea);
+#endif
+    float away = length(relative), eye_depth = eye_depth_of(relative);
+    vec3 to_eye = -relative / max(away, 1e-4);
     float pixel_m = pixel_metres(relative, vec3(0.0, 0.0, 1.0));
     float sharp = share / (1.0 + pow(3.0 * pixel_m / u_swell_length_m, 2.0));
-    vec3 ripple = water_ripples(before, pixel_m);
+    vec3 position = u_camera + relative;
+    float column = water_column(sea, position.z);
+    float rippled = ripple_share(column);
+    vec3 ripple = water_ripples(before, pixel_m) * vec3(rippled, rippled, rippled * rippled);
     vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * sharp + ripple.xy;
     float lost = ripple.z + u_wave_slope * u_wave_slope * sea.deep * (1.0 - sharp * sharp);
     vec3 normal = normalize(vec3(-slope, 1.0));
-    if (dot(normal, to_eye) < 0.0) normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
+    if (dot(normal, to_eye) < 0.0)
+        normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
+
+    Foam foam = Foam(0.0, 0.0, 0.0, 0.0);
+    if (u_show_procedural_foam) foam = sea_foam(sea, before, column, sharp, pixel_m);
+    if (u_show_painted_foam) {
+        vec2 paint = layer_at(u_layer_foam, before, u_cell_m).rg;
+        foam = foam_painted(foam, before, max(paint.x, paint.y), pixel_m);
+    }
 
     vec4 land = below(normal, eye_depth, away);
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
     float depth = land.w * water_cosine(cosine) * abs(to_eye.z);
     float thin = smoothstep(0.0, 0.03, land.w);  // D02: at its edge the water blends with what lies below
-    float roughness = water_roughness(u_water_roughness, lost);
-    float sun_up = max(u_sun_direction.z, 0.0);
-    vec3 position = u_camera + relative;
-    vec3 light = sun_radiance() * sun_up * sun_visibility(position) + sky_irradiance(vec3(0.0, 0.0, 1.0));
-    vec3 below_light = water_albedo(land.rgb, depth, cosine, sun_up) * light / 3.14159265;
-    below_light += water_crest_light(sea.height01 * sharp, normal, to_eye, u_sun_direction) * sun_radiance();
-    below_light *= 1.0 - water_fresnel(cosine, roughness);
-
-    float edge = smoothstep(sea.shore.edge_s - 0.25, sea.shore.edge_s, sea.shore.s) * sea.bed.sea.x * u_shore_on;
-    Foam foam = Foam(0.0, 0.0, 0.0, 0.0);
-    if (u_show_procedural_foam)
-        foam = foam_at(before, sea.shore.line, sea.shore.back, sea.shore.fall, edge, 0.0, vec2(0.0), pixel_m);
-    if (u_show_painted_foam) {
-        vec2 paint = texture(u_layer_foam, (before / u_cell_m + 0.5) / vec2(textureSize(u_layer_foam, 0))).rg;
-        foam.cover = max(foam.cover, max(paint.x, paint.y));
-        foam.amount = max(foam.amount, foam.cover);
-    }
     foam.cover *= thin;
-    vec3 albedo = mix(vec3(0.0), foam_albedo(foam), foam.cover);
-    vec3 emissive = below_light * (1.0 - foam.cover);
-    write_gbuffer(Surface(albedo, 1.0, normal, mix(roughness, FOAM_ROUGHNESS, foam.cover), u_water_specular * thin,
-                          SEA, foam.cover, 1.0, emissive, eye_depth, before));
+    float roughness = water_roughness(u_water_roughness * mix(0.6, 1.0, rippled), lost);
+    vec3 sun = sun_radiance() * sun_visibility(position), sky = sky_irradiance(vec3(0.0, 0.0, 1.0));
+    vec2 bed_xy = before - to_eye.xy * land.w;
+    vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
+    from_below = bubbles(from_below, foam, sun, sky);
+    from_below += water_crest_light(sea.height01 * sharp, normal, to_eye, u_sun_direction) * sun;
+    from_below *= (1.0 - water_fresnel(cosine, roughness)) * (1.0 - foam.cover);
+    write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0, normal, mix(roughness, FOAM_ROUGHNESS, foam.cover),
+                          u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
 }
 #endif

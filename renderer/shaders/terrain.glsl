@@ -19,8 +19,10 @@ void main() {
 #define WRITE_GBUFFER
 #include "lib/gbuffer.glsl"
 #include "lib/ground.glsl"
+#include "lib/land_light.glsl"
+#include "lib/layer.glsl"
+#include "lib/wet.glsl"
 uniform sampler2D u_layer_cover;
-uniform float u_swash_top_m;  // how high over the still sea the run-up reaches
 in vec3 v_relative;
 
 void main() {
@@ -30,10 +32,16 @@ void main() {
     vec3 ground = ground_filtered(position.xy, pixel_m);
     vec3 normal = ground_normal(ground.yz);
     float height = position.z - u_still_m;
-    vec4 cover = texture(u_layer_cover, (position.xy / u_cell_m + 0.5) / vec2(textureSize(u_layer_cover, 0)));
-    float wet = 1.0 - smoothstep(0.75 * u_swash_top_m, 1.15 * u_swash_top_m + 0.05, height);
-    Ground g = ground_at(position, normal, height, wet, cover, pixel_m);
-    write_gbuffer(Surface(g.albedo, 1.0, g.normal, g.roughness, g.specular, LAND, 0.0, wet, vec3(0.0),
+    vec2 torn = (noise_at(position.xy, 9.0, pixel_m).gb - 0.5) * 1.4;  // painted borders follow the ground, not the cells
+    vec4 cover = layer_at(u_layer_cover, position.xy + torn, u_cell_m);
+    Wet wet = shore_wet(position.xy, height, pixel_m);
+    Ground g = ground_at(position, normal, height, wet.damp, cover, pixel_m);
+    float film = wet.film * smoothstep(0.9, 0.97, normal.z);
+    g.normal = normalize(mix(g.normal, normal, 0.85 * film));
+    g.roughness = mix(g.roughness, 0.07, film);
+    g.specular = mix(g.specular, 0.02, film);
+    float open = sky_open(position.xy, position.z, ground.yz);
+    write_gbuffer(Surface(g.albedo, open, g.normal, g.roughness, g.specular, LAND, 0.0, wet.damp, vec3(0.0),
                           eye_depth_of(v_relative), position.xy));
 }
 #endif

@@ -8,15 +8,15 @@ float exposure_scale(float ev100) { return 1000.0 / (1.2 * exp2(ev100)); }
 // AgX's idea (Sobotka): pull colours together, a sigmoid per channel in log space, push them apart again. Own curve and
 // matrix: grey is kept exactly, because the pull goes along a weighted mean whose weights sum to 1.
 const vec3 AGX_MEAN = vec3(0.27, 0.47, 0.26);
-const float AGX_PULL = 0.12, AGX_PUSH = 0.25;
-const float AGX_DARK = -9.5, AGX_LIGHT = 5.2;   // stops round middle grey
+const float AGX_PULL = 0.11, AGX_PUSH = 0.27;
+const float AGX_DARK = -9.5, AGX_LIGHT = 4.6;   // stops round middle grey
 
 float agx_sigmoid(float stops) {
     const float grey = 0.4695;                     // 0.18 through a gamma of 2.2667, lifted a little
-    const float slope = 0.138;                    // display units a stop at the pivot
+    const float slope = 0.156;                    // display units a stop at the pivot
     float side = stops > 0.0 ? 1.0 - grey : grey;
     float reach = stops > 0.0 ? AGX_LIGHT : -AGX_DARK;
-    float power = stops > 0.0 ? 1.65 : 1.9;
+    float power = stops > 0.0 ? 1.9 : 1.9;
     // x / (1 + (x / c)^p)^(1/p) with c such that the end of the range lands on the end of the display
     float x = slope * abs(stops), end = slope * reach;
     float c = side * end / pow(pow(end, power) - pow(min(side, end * 0.999), power), 1.0 / power);

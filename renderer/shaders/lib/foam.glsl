@@ -38,14 +38,15 @@ struct Foam {
 // `before` undeformed xy; masks of the shore waves; `shore_edge` 1 at the water's edge, falling to 0 some way out;
 // `crest` foam of breaking crests offshore; `flow` m/s.
 Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, float crest, vec2 flow, float pixel_m) {
-    float patches = noise_at(before, 83.0, pixel_m).g * 0.65 + noise_at(before, 19.0, pixel_m).g * 0.35;
-    float torn = smoothstep(0.25, 0.75, patches);
+    float wide = noise_at(before, 140.0, pixel_m).g, near = noise_at(before, 23.0, pixel_m).g;
+    float patches = wide * 0.62 + near * 0.38;
+    float torn = smoothstep(0.30, 0.72, patches);
     float front = saturate(fall * (0.15 + 0.95 * torn));
-    float wake = back * (0.04 + 0.34 * torn);
-    float crown = line * line * (0.05 + 0.45 * torn);
-    float sheet = shore_edge * shore_edge * (0.08 + 0.30 * torn);
-    float rim = smoothstep(0.82, 0.97, shore_edge) * (0.25 + 0.5 * patches);
-    float amount = 1.0 - (1.0 - front) * (1.0 - wake) * (1.0 - crown) * (1.0 - sheet) * (1.0 - rim) * (1.0 - saturate(crest));
+    float wake = back * back * smoothstep(0.42, 0.85, patches) * 0.42;
+    float crown = line * line * (0.04 + 0.50 * torn);
+    float lace = shore_edge * (0.06 + 0.36 * torn);
+    float rim = smoothstep(0.62, 0.92, shore_edge) * (0.20 + 0.55 * near);
+    float amount = 1.0 - (1.0 - front) * (1.0 - wake) * (1.0 - crown) * (1.0 - lace) * (1.0 - rim) * (1.0 - saturate(crest));
     amount = saturate(amount * u_foam_amount);
     if (amount < 0.004) return Foam(0.0, 0.0, 0.0, 0.0);
     float lod = log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4));
@@ -53,10 +54,20 @@ Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, 
     float cover = foam_cover(fields, amount, max(lod, 0.0));
     float fine = mix(fields.a, 0.4, smoothstep(0.0, 3.0, lod));
     cover = saturate(cover * (0.86 + 0.22 * fine) + 0.25 * rim * fine * (1.0 - cover));
-    return Foam(cover, amount, saturate(amount * 1.3) * (1.0 - 0.5 * cover), cover * (0.5 + 0.5 * fields.b));
+    return Foam(cover, amount, smoothstep(0.15, 0.9, amount), cover * mix(fields.b, fields.g, 0.4));
+}
+
+// Painted foam joins what the waves made; it goes through the same texture.
+Foam foam_painted(Foam foam, vec2 before, float paint, float pixel_m) {
+    if (paint < 0.004) return foam;
+    float lod = max(log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4)), 0.0);
+    float amount = saturate(paint);
+    float cover = foam_cover(textureLod(u_foam, before / u_foam_tile_m + 0.21, lod), amount, lod);
+    return Foam(max(foam.cover, cover), max(foam.amount, amount), max(foam.bubbles, amount), max(foam.relief, cover));
 }
 
 // Reflectance of foam: thick foam is nearly white, thin foam lets the water through (Koepke 1984 for old foam).
-vec3 foam_albedo(Foam foam) { return vec3(0.80, 0.83, 0.84) * mix(0.72, 1.0, smoothstep(0.2, 0.8, foam.amount)); }
+vec3 foam_albedo(Foam foam) { return vec3(0.80, 0.83, 0.84) * mix(0.72, 1.0, smoothstep(0.2, 0.8, foam.amount))
+           * mix(0.80, 1.04, foam.relief); }
 
 const float FOAM_ROUGHNESS = 0.85;

@@ -12,8 +12,8 @@ float fog_depth(float a, float b, float distance_m) {
     return u_fog_density * start * mean * distance_m;
 }
 
-// Share of light that comes through, by colour: haze takes a little more of the blue.
-vec3 fog_transmittance(float optical_depth) { return exp(-optical_depth * vec3(0.86, 1.0, 1.16)); }
+// Share of light that comes through, by colour: air and haze of a clear day together, so near haze is blue.
+vec3 fog_transmittance(float optical_depth) { return exp(-optical_depth * vec3(0.73, 1.0, 1.49)); }
 
 // At full depth this is what the sky shows at the horizon, so sea and sky meet without a seam.
 vec3 fog_inscatter(vec3 view_dir) {

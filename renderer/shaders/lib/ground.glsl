@@ -68,9 +68,9 @@ Ground rock_ground(vec3 p, vec3 n, float height, float pixel_m, vec4 broad, vec4
     // beds of stone: bands of height, dipping and bent
     float bed = p.z + 0.11 * p.x - 0.07 * p.y + 3.2 * (broad.r - 0.5) + 0.8 * (far.z - 0.5);
     vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
-    vec3 tint = mix(vec3(0.19, 0.172, 0.152), vec3(0.37, 0.325, 0.265), band.g);
+    vec3 tint = mix(vec3(0.165, 0.150, 0.135), vec3(0.36, 0.315, 0.255), smoothstep(0.25, 0.75, band.g));
     tint = mix(tint, vec3(0.40, 0.29, 0.19), 0.55 * smoothstep(0.62, 0.95, band.r));
-    tint *= 0.55 + 0.42 * near.z + 0.35 * far.z + 0.22 * (near.w - 0.5);
+    tint *= (0.50 + 0.45 * near.z + 0.45 * far.z + 0.22 * (near.w - 0.5)) * (0.75 + 0.5 * broad.g);
     tint = mix(tint, vec3(0.34, 0.33, 0.26), 0.35 * smoothstep(0.72, 0.95, mid.g * 0.6 + near.w * 0.4)
                                                  * smoothstep(3.0, 9.0, height));  // lichen
     vec3 normal = normalize(n - 0.42 * lean - 0.5 * lean_far.yxz + vec3(0.0, 0.0, 0.16 * (band.b - 0.5)) * (1.0 - n.z));
@@ -81,9 +81,13 @@ Ground grass_ground(vec3 p, vec3 n, float height, float pixel_m, vec4 broad, vec
     vec4 near = ground_layer(turn(p.xy, 0.71, 0.704), 5.1, GRASS, pixel_m);
     vec4 far = ground_layer(p.xy, 37.0, GRASS, pixel_m);
     float dry = smoothstep(0.35, 0.8, 0.55 * broad.g + 0.3 * mid.r + 0.25 * far.w);
-    vec3 tint = mix(vec3(0.085, 0.125, 0.030), vec3(0.215, 0.190, 0.070), dry);
-    tint = mix(tint, vec3(0.050, 0.080, 0.024), 0.75 * smoothstep(0.58, 0.8, broad.b * 0.3 + broad.r * 0.7));
-    tint *= 0.55 + 0.55 * near.z + 0.35 * far.z;
+    vec4 patchy = noise_at(turn(p.xy, 0.6, 0.8), 67.0, pixel_m);
+    vec3 tint = mix(vec3(0.052, 0.074, 0.020), vec3(0.145, 0.122, 0.054), dry);
+    tint *= 0.50 + 0.55 * near.z + 0.45 * far.z;
+    // scrub in thickets, darker in the hollows of the broad noise
+    float field = 0.30 * patchy.g + 0.50 * patchy.b + 0.45 * (1.0 - broad.r) + 0.16 * (near.z - 0.5);
+    float scrub = smoothstep(0.74, 0.92, field) * smoothstep(2.5, 6.0, height);
+    tint = mix(tint, vec3(0.026, 0.038, 0.015) * (0.55 + 0.9 * patchy.b + 0.3 * near.z), 0.75 * scrub);
     vec2 slope = turn(near.xy, -0.71, 0.704) * 0.55 + far.xy * 0.45;
     return Ground(tint, tilt(n, slope), 0.93, 0.03);
 }
