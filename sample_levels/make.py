@@ -14,6 +14,7 @@ sys.path.insert(0, str(HERE))
 
 import cove  # noqa: E402
 import cove_paint  # noqa: E402
+import island  # noqa: E402
 from shorewright.level import Grid, Level, Settings  # noqa: E402
 from shorewright.level.objects import Camera, Disturbance  # noqa: E402
 
@@ -30,6 +31,24 @@ COVE_SETTINGS = {
     "shore.interval_s": 8.0,
     "shore.height_m": 0.6,
     "sea.swell_heading_deg": 12.0,
+}
+ISLAND_CAMERAS = [
+    Camera(id="play", x=708, y=236, z=58, yaw_deg=243, pitch_deg=-55, fov_deg=45),
+    Camera(id="beach", x=650, y=242, z=1.9, yaw_deg=303, pitch_deg=8, fov_deg=46),
+    Camera(id="survey", x=880, y=-70, z=300, yaw_deg=318, pitch_deg=-22, fov_deg=52),
+]
+ISLAND_SETTINGS = {
+    "level.seed": SEED + 4,
+    "shore.range_m": 4.0,
+    "shore.interval_s": 7.0,
+    "shore.height_m": 0.5,
+    "sea.swell_heading_deg": 40.0,
+    "water.absorb_red": 0.36,
+    "water.absorb_green": 0.06,
+    "water.scatter": 0.045,
+    "ground.rock_slope_deg": 44.0,
+    "ground.grass_slope_deg": 39.0,
+    "ground.sand_top_m": 3.0,
 }
 
 
@@ -57,14 +76,19 @@ def make_cove(seed: int = SEED) -> Level:
     return level
 
 
-LEVELS = {"cove": make_cove}
+def make_island(seed: int = SEED + 4) -> Level:
+    """The volcano, its lagoon, reef and spit; nothing is painted here, so every layer but the base is neutral."""
+    return build(island.height(seed)[0], ISLAND_SETTINGS, ISLAND_CAMERAS)
+
+
+LEVELS = {"cove": make_cove, "island": make_island}
 
 
 def main() -> None:
     from shorewright.io import write_level
 
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", choices=[[], *LEVELS], help="which levels; all when none is named")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="cove, island; all when none is named")
     parser.add_argument("--out", type=Path, default=HERE, help="folder that takes the levels")
     arguments = parser.parse_args()
     for name in arguments.names or LEVELS:
