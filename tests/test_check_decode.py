@@ -73,7 +73,7 @@ def test_link_that_leads_out_is_found(unreal):
     "edit",
     [
         lambda d: d["engine"].update(scale_z=d["engine"]["scale_z"] * 1.01),
-        lambda d: d["engine"].update(scale_x=100.0),
+        lambda d: d["engine"].update(scale_x=101.0),
         lambda d: d["engine"].update(scale_y=d["engine"]["scale_y"] * 1.001),
         lambda d: d["engine"].update(resolution=253),
         lambda d: d["engine"].update(actor_z_cm=50.0),

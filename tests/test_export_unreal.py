@@ -34,12 +34,6 @@ def unreal_cm(folder):
     return (words.reshape(side, side).astype(float) - 32768) / 128 * manifest["engine"]["scale_z"]
 
 
-def surface(height, rows_from_south, cols):
-    """Bilinear heights at fractional rows × columns, one axis after the other."""
-    along = np.array([np.interp(cols, np.arange(height.shape[1]), row) for row in height.astype(float)])
-    return np.array([np.interp(rows_from_south, np.arange(height.shape[0]), col) for col in along.T]).T
-
-
 # Sizes
 
 
@@ -67,16 +61,15 @@ def test_landscape_sizes_follow_epics_formula(size):
     ("samples", "size"), [(2, 127), (126, 127), (127, 127), (128, 253), (253, 253), (254, 505), (505, 505), (506, 1009)]
 )
 def test_unreal_decodes_to_the_ground(tmp_path, samples, size):
-    """The words, decoded by the published formula, are the level's surface at the landscape's samples, on any size."""
+    """The words, decoded by the published formula, are the level's own samples, on any size."""
     level = make_level(samples, cell_m=2.5)
     export(level, "unreal", tmp_path / "out", name="coast")
     manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
     assert cm.shape == (size, size)
-    world_m = (samples - 1) * 2.5
-    assert manifest["engine"]["scale_x"] == manifest["engine"]["scale_y"] == pytest.approx(100 * world_m / (size - 1))
-    assert manifest["engine"]["sample_spacing_m"] <= 2.5
-    at = np.linspace(0, samples - 1, size)
-    off = np.abs(cm - 100 * surface(level.height, at[::-1], at)).max()
+    assert manifest["engine"]["scale_x"] == manifest["engine"]["scale_y"] == pytest.approx(250)
+    assert manifest["engine"]["sample_spacing_m"] == 2.5
+    at = np.minimum(np.arange(size), samples - 1)
+    off = np.abs(cm - 100 * level.height[::-1].astype(float)[np.ix_(at, at)]).max()
     (record,) = manifest["files"]
     step = manifest["engine"]["scale_z"] / 128
     assert record["quantisation_step_cm"] == pytest.approx(step, rel=1e-12)
@@ -84,27 +77,13 @@ def test_unreal_decodes_to_the_ground(tmp_path, samples, size):
     assert 0 < off <= step / 2 + 1e-6
 
 
-def test_level_of_a_landscapes_size_goes_over_sample_for_sample(tmp_path):
+def test_level_of_a_landscapes_size_fills_it(tmp_path):
     level = make_level(127)
     export(level, "unreal", tmp_path / "out")
     off = np.abs(unreal_cm(tmp_path / "out") - 100 * level.height[::-1].astype(float)).max()
     manifest = read_manifest(tmp_path / "out")
     assert off <= manifest["engine"]["scale_z"] / 256 + 1e-6
-    assert manifest["files"][0]["max_error_at_level_samples_cm"] == pytest.approx(off, abs=1e-6)
     assert manifest["notes"] == []
-
-
-def test_loss_at_the_levels_own_samples_is_told(tmp_path):
-    """Samples between the level's own cannot show every peak; by how much is measured and said."""
-    level = make_level(150)
-    export(level, "unreal", tmp_path / "out")
-    manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
-    at = np.arange(150) * (252 / 149)
-    off = surface(cm[::-1], at, at) - 100 * level.height
-    (record,) = manifest["files"]
-    assert record["max_error_at_level_samples_cm"] == pytest.approx(np.abs(off).max(), abs=1e-3)
-    assert record["rms_error_at_level_samples_cm"] == pytest.approx(np.sqrt(np.square(off).mean()), abs=1e-3)
-    assert any("253 samples" in note for note in manifest["notes"])
 
 
 # Exact words
@@ -130,9 +109,7 @@ def test_sea_level_lands_on_32768(tmp_path, sea_m):
     level.write("height", Rect(10, 20, 30, 50), sea_m)
     export(level, "unreal", tmp_path / "out")
     words = np.fromfile(next((tmp_path / "out").glob("*.r16")), "<u2").reshape(127, 127)
-    at = np.linspace(0, 59, 127)
-    rows, cols = (at[::-1] >= 10) & (at[::-1] <= 29), (at >= 20) & (at <= 49)
-    assert (words[np.ix_(rows, cols)] == 32768).all()
+    assert (words[:60, :60][::-1][10:30, 20:50] == 32768).all()
     assert read_manifest(tmp_path / "out")["world"]["sea_level_m"] == sea_m
 
 
@@ -163,12 +140,12 @@ def test_oblong_level_keeps_square_cells_and_its_edge_goes_on(tmp_path, rows, co
     export(level, "unreal", tmp_path / "out")
     manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
     engine, part = manifest["engine"], manifest["engine"]["level_part"]
-    assert engine["scale_x"] == engine["scale_y"] == pytest.approx(100 * (max(rows, cols) - 1) * 3.0 / 126)
-    at = np.linspace(0, max(rows, cols) - 1, 127)
-    wanted = 100 * surface(level.height, (rows - 1) - np.minimum(at, rows - 1), np.minimum(at, cols - 1))
+    assert engine["scale_x"] == engine["scale_y"] == pytest.approx(300)
+    at = np.arange(127)
+    wanted = 100 * level.height[::-1].astype(float)[np.ix_(np.minimum(at, rows - 1), np.minimum(at, cols - 1))]
     assert np.abs(cm - wanted).max() <= engine["scale_z"] / 256 + 1e-6
     assert (part["east_cm"], part["south_cm"]) == (300.0 * (cols - 1), 300.0 * (rows - 1))
-    assert (part["cols"], part["rows"]) == ((at <= cols - 1).sum(), (at <= rows - 1).sum())
+    assert (part["cols"], part["rows"]) == (cols, rows)
     beyond = cm[part["rows"] :] if rows < cols else cm[:, part["cols"] :].T
     assert len(beyond) > 20
     assert (beyond == beyond[0]).all()
@@ -183,7 +160,7 @@ def test_recipe_types_the_values_that_decode(tmp_path):
     assert f"Scale: X {engine['scale_x']:.6f} Y {engine['scale_y']:.6f} Z {engine['scale_z']:.6f}" in recipe
     assert float(f"{engine['scale_z']:.6f}") == engine["scale_z"]
     assert "bay_height.r16 (127 x 127)" in recipe
-    assert engine["dialog_x_cm"] == pytest.approx(100 * 99 / 2)  # half of the longer side: the dialog wants the centre
+    assert engine["dialog_x_cm"] == pytest.approx(100 * 126 / 2)  # half of the square: the dialog wants the centre
 
 
 def test_words_leaving_sixteen_bits_are_an_error():

@@ -114,11 +114,7 @@ class Mesh(Record):
 
 
 class FileRecord(Record):
-    """One file: `max_error_cm` is measured on the bytes written, decoded by `decode`, against the level.
-
-    That is at the file's samples. Where a size an engine prescribes put them between the level's, `…_at_level_samples`
-    says what is left of the level's own samples when the file is read back at their places.
-    """
+    """One file: `max_error_cm` is measured on the bytes written, decoded by `decode`, against the level."""
 
     name: str
     map: str
@@ -136,8 +132,6 @@ class FileRecord(Record):
     decode: Decode
     quantisation_step_cm: float | None = None
     max_error_cm: float = Field(ge=0)
-    max_error_at_level_samples_cm: float | None = Field(None, ge=0)
-    rms_error_at_level_samples_cm: float | None = Field(None, ge=0)
     mesh: Mesh | None = None
 
 

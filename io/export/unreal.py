@@ -71,10 +71,10 @@ def decode_cm(values: np.ndarray, scale_z: float, actor_z_cm: float = 0.0) -> np
 class Square(NamedTuple):
     """Where a square of `size` samples reads the level: fractional `rows_at` from the north, `cols_at` from the west.
 
-    A level that isn't square keeps cells as long as wide and lies in the north-west corner; south or east of it the
-    edge goes on. ScaleX ≠ ScaleY would add no ground, but Unreal's handles couple the two, textures laid by landscape
-    coordinates would be stretched, and brushes would turn into ellipses. Seabed that goes on surprises nobody, and
-    the manifest says where it starts.
+    Samples go over one to one, so that nothing is lost and ScaleX = ScaleY = 100 × cell; a level smaller than the
+    square lies in its north-west corner, and south and east of it the edge goes on. Stretching the level over the
+    square would put the landscape's samples between the level's and blunt every peak; ScaleX ≠ ScaleY would turn
+    brushes into ellipses. Seabed that goes on surprises nobody, and the manifest says where it starts.
     """
 
     size: LandscapeSize
@@ -85,22 +85,18 @@ class Square(NamedTuple):
 
 
 def square_over(rows: int, cols: int, cell_m: float) -> Square:
-    """The smallest square that loses no resolution: as many samples as the longer side, none farther apart.
-
-    It is as long as the level's longer side, so a square level fills it to the last sample.
-    """
-    longer = max(rows, cols)
-    size = landscape_size(longer)
-    along = np.linspace(0, longer - 1, size.samples)
+    """The smallest square that loses no resolution: room for every sample of the longer side, at the same spacing."""
+    size = landscape_size(max(rows, cols))
+    along = np.arange(size.samples, dtype=np.float64)
+    whole = rows == cols == size.samples
     part = LevelPart(
-        cols=int((along <= cols - 1 + 1e-9).sum()),
-        rows=int((along <= rows - 1 + 1e-9).sum()),
+        cols=cols,
+        rows=rows,
         east_cm=100 * (cols - 1) * cell_m,
         south_cm=100 * (rows - 1) * cell_m,
-        outside="the whole square is the level" if rows == cols else "continues the edge of the level",
+        outside="the whole square is the level" if whole else "continues the edge of the level",
     )
-    rows_at = (rows - 1) - np.minimum(along, rows - 1)
-    return Square(size, rows_at, np.minimum(along, cols - 1), (longer - 1) * cell_m / (size.samples - 1), part)
+    return Square(size, (rows - 1) - np.minimum(along, rows - 1), np.minimum(along, cols - 1), cell_m, part)
 
 
 def export(job: Job) -> Manifest:
@@ -120,7 +116,7 @@ def export(job: Job) -> Manifest:
         files=[record],
         probes=_probes(job, square),
         import_recipe=_recipe(path.name, scale),
-        notes=_notes(level.grid.shape, scale, record),
+        notes=_notes(scale),
         **describe(
             level,
             job.name,
@@ -160,12 +156,6 @@ def _record(job: Job, path, square: Square, scale: UnrealScale) -> FileRecord:
 
     truth = maps.bilinear(level.height, square.rows_at, square.cols_at)
     error_m = maps.largest_difference(maps.row_blocks(words), truth, decode)
-    # The other way round: what is left of the level's own samples when the landscape is read back at their places.
-    longer = max(level.grid.shape) - 1
-    back = (count - 1) / longer
-    north_first = level.height[::-1]
-    read_back = maps.bilinear(words, np.arange(level.grid.rows) * back, np.arange(level.grid.cols) * back)
-    kept_m, kept_rms_m = maps.differences(read_back, maps.row_blocks(north_first), decode)
     return describe_file(
         path,
         map="height",
@@ -179,8 +169,6 @@ def _record(job: Job, path, square: Square, scale: UnrealScale) -> FileRecord:
         decode=Decode(formula=FORMULA, numbers={"ScaleZ": scale.scale_z, "ActorZ": scale.actor_z_cm}),
         quantisation_step_cm=scale.scale_z / 128,
         max_error_cm=100 * error_m,
-        max_error_at_level_samples_cm=100 * kept_m,
-        rms_error_at_level_samples_cm=100 * kept_rms_m,
     )
 
 
@@ -218,19 +206,12 @@ def _recipe(name: str, scale: UnrealScale) -> list[str]:
     ]
 
 
-def _notes(shape: tuple[int, int], scale: UnrealScale, record: FileRecord) -> list[str]:
-    """What an artist should know about a level that isn't square, or has another size than the landscape."""
+def _notes(scale: UnrealScale) -> list[str]:
+    """What an artist should know about a level smaller than its landscape."""
     notes, part, count = [], scale.level_part, scale.resolution
-    if shape[0] != shape[1]:
-        side = "south" if part.rows < part.cols else "east"
+    if (part.rows, part.cols) != (count, count):
         notes.append(
             f"The level is the north-west {part.cols} x {part.rows} samples ({part.east_cm:g} cm east, "
-            f"{part.south_cm:g} cm south); {side} of it the level's edge goes on."
-        )
-    if max(shape) != count:
-        notes.append(
-            "The landscape's samples lie between the level's own: read back at those it is up to "
-            f"{record.max_error_at_level_samples_cm:.2f} cm off ({record.rms_error_at_level_samples_cm:.2f} cm rms). "
-            f"A level with {count} samples along its longer side goes over sample for sample."
+            f"{part.south_cm:g} cm south), sample for sample; beyond it the level's edge goes on."
         )
     return notes
