@@ -8,7 +8,6 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-
 LATEST_S = 1e9  # thirty years; beyond it a float64 no longer tells single frames apart
 
 

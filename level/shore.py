@@ -14,13 +14,14 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy import ndimage
 
-from .dual import Dual
+from .dual import Dual, step
 from .grid import Rect
 from .level import Level
 from .objects import SeaSeed
 
 MOST_SIDE = 1025  # samples a side: larger levels are read with a stride
 LIVE_MARGIN = 24  # cells round a change that are worked out with it
+BEYOND_M = 80.0  # how far past the level's border shore waves go on: there the bed is only a guess
 CHANNELS = ("clock", "depth", "sea", "smoothed")
 
 
@@ -57,7 +58,12 @@ class ShoreMap:
         value = south + (north - south) * fv
         dx = ((v10 - v00) * (1 - fv) + (v11 - v01) * fv) / self.cell_m * (u == ui)[..., None]
         dy = (north - south) / self.cell_m * (v == vi)[..., None]
-        return {name: Dual(value[..., i], dx[..., i], dy[..., i]) for i, name in enumerate(CHANNELS)}
+        bed = {name: Dual(value[..., i], dx[..., i], dy[..., i]) for i, name in enumerate(CHANNELS)}
+        out_x, out_y = (u - ui) * self.cell_m, (v - vi) * self.cell_m
+        away = np.hypot(out_x, out_y)
+        reach = np.maximum(away, 1e-6)
+        bed["within"] = 1.0 - step(0.0, BEYOND_M, Dual(away, out_x / reach, out_y / reach))
+        return bed
 
 
 def shore_map(level: Level) -> ShoreMap:
@@ -111,7 +117,7 @@ def _open_edge(depth: np.ndarray, seeds: tuple, cell_m: float) -> np.ndarray:
 
 
 def _from_the_deep(depth: np.ndarray, start: np.ndarray, range_m: float) -> np.ndarray:
-    """Bottleneck depth from the deep part of the border: where the border cuts a beach, fronts come from the sea too."""
+    """Bottleneck depth from the deep part of the border: where it cuts a beach, fronts come from the sea too."""
     if not start.any():
         return np.full(depth.shape, -np.inf, np.float32)
     deep = start & (depth >= min(range_m, 0.95 * float(depth[start].max())))

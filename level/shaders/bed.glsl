@@ -1,13 +1,18 @@
 // The bed as the waves know it: ShoreMap.packed, read with texelFetch and interpolated by hand, because texture units
 // keep 8 bits of the fraction and the CPU twin must agree within a millimetre (D30). The twin is level/shore.py.
 
+#include "level/dual.glsl"
+
 uniform sampler2D u_bed;  // RGBA32F: clock depth, depth, sea, smooth depth
 uniform float u_bed_cell_m;
+
+const float BEYOND_M = 80.0;  // how far past the level's border shore waves go on
 
 struct Bed {
     vec3 clock;   // duals: depth the shore clock reads (monotone on the way to land), m
     vec3 depth;   // depth, m, negative on land
     vec3 sea;     // 1 where the water is connected to the sea
+    vec3 within;  // 1 in the level, fading to 0 beyond its border: there the bed is only a guess
     vec3 smoothed;  // depth without small rocks: what the offshore waves fade by
 };
 
@@ -23,5 +28,8 @@ Bed bed_at(vec2 xy) {
     vec4 v = mix(mix(v00, v10, f.x), mix(v01, v11, f.x), f.y);
     vec4 dx = mix(v10 - v00, v11 - v01, f.y) / u_bed_cell_m * float(at.x == inside.x);
     vec4 dy = mix(v01 - v00, v11 - v10, f.x) / u_bed_cell_m * float(at.y == inside.y);
-    return Bed(vec3(v.x, dx.x, dy.x), vec3(v.y, dx.y, dy.y), vec3(v.z, dx.z, dy.z), vec3(v.w, dx.w, dy.w));
+    vec2 out_m = (at - inside) * u_bed_cell_m;
+    float away = length(out_m);
+    vec3 within = d_const(1.0) - d_step(0.0, BEYOND_M, vec3(away, out_m / max(away, 1e-6)));
+    return Bed(vec3(v.x, dx.x, dy.x), vec3(v.y, dx.y, dy.y), vec3(v.z, dx.z, dy.z), within, vec3(v.w, dx.w, dy.w));
 }

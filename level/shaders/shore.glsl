@@ -53,6 +53,7 @@ ShoreMasks shore_masks(Bed bed, vec2 xy) {
     vec3 s = d_const(1.0) - bed.clock / u_shore_range_m;
     vec3 early = (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
     ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s.x, 9.0);
+    vec3 sea = d_mul(bed.sea, bed.within);
     float nearest = 9.0;
     for (int k = 0; k < u_shore_count; ++k) {
         vec3 c = (early + d_const(float(k))) / float(u_shore_count) + d_const(u_shore_clock);
@@ -69,15 +70,15 @@ ShoreMasks shore_masks(Bed bed, vec2 xy) {
             m.b = here.b;
             m.front = f.x;
         }
-        m.line = max(m.line, here.line.x * bed.sea.x);
-        m.back = max(m.back, here.back.x * bed.sea.x);
-        m.fall = max(m.fall, here.fall.x * bed.sea.x);
+        m.line = max(m.line, here.line.x * sea.x);
+        m.back = max(m.back, here.back.x * sea.x);
+        m.fall = max(m.fall, here.fall.x * sea.x);
         vec3 shape = here.line + here.back - here.trail * (u_shore_draw_m / max(u_shore_height_m, 1e-6));
         m.lift += d_mul(shape, tall);
     }
     m.lift = d_mul(m.lift, shore_height_along(s)) * u_shore_height_m;
     vec3 run = shore_swash(early);
-    m.lift = d_mul(m.lift + d_mul(run * (u_shore_range_m * u_shore_runup), d_step(SWASH_S, 1.0, s)), bed.sea);
+    m.lift = d_mul(m.lift + d_mul(run * (u_shore_range_m * u_shore_runup), d_step(SWASH_S, 1.0, s)), sea);
     float moving = u_shore_on * u_shore_vertex;
     m.lift *= moving;
     m.edge_s = 1.0 + u_shore_runup * run.x * moving;
