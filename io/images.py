@@ -23,7 +23,6 @@ from ..level.grid import MAX_SIDE
 
 WRITABLE = (".png", ".exr", ".tif", ".tiff")
 READABLE = (*WRITABLE, ".bmp", ".jpg", ".jpeg", ".tga", ".hdr")
-DTYPES = {"uint8": np.uint8, "uint16": np.uint16, "half": np.float16, "float": np.float32}
 MAX_CHANNELS = 32
 SPARE_BYTES = 1 << 20  # a disk with less left is full
 
@@ -39,8 +38,9 @@ class Header:
     attributes: dict[str, object] = field(default_factory=dict)
 
     @property
-    def bits(self) -> int:
-        return {"uint8": 8, "uint16": 16, "half": 16, "float": 32}.get(self.dtype, 32)
+    def whole(self) -> bool:
+        """Whether samples are whole numbers."""
+        return "int" in self.dtype
 
 
 def read_header(path: Path | str) -> Header:
@@ -51,9 +51,9 @@ def read_header(path: Path | str) -> Header:
 
 
 def read_image(path: Path | str) -> np.ndarray:
-    """The samples of an image as stored: `(rows, cols, channels)` uint8, uint16 or float32, row 0 on top.
+    """The samples of an image as stored: `(rows, cols, channels)` integers or float32, row 0 on top.
 
-    Half becomes float32. BadInput when the file is missing, damaged, no image, or larger than a level can be.
+    Half and double become float32. BadInput when the file is missing, damaged, no image, or larger than a level can be.
     """
     return load_image(path)[1]
 
@@ -64,7 +64,7 @@ def load_image(path: Path | str) -> tuple[Header, np.ndarray]:
     image = _open(path)
     with contextlib.closing(image):
         header = _header(path, image)
-        wanted = header.dtype if header.dtype in ("uint8", "uint16") else "float"
+        wanted = header.dtype if header.whole else "float"  # asked for floats, integers would come normalised
         try:
             pixels = image.read_image(wanted)
         except Exception as error:  # D-traps: the binding raises what it likes
@@ -237,5 +237,7 @@ def _line(text: str) -> str:
 
 
 def _damaged(path: Path, reason: str) -> BadInput:
+    if "limits:resolution" in reason or "limits:imagesize" in reason:
+        return BadInput(f"{path} declares more samples than can be read: at most {MAX_SIDE} a side")
     reason = _line(reason).replace(str(path), path.name)
     return BadInput(f"{path} cannot be read as an image; it is damaged or of another kind ({reason or 'unnamed'})")

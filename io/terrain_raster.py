@@ -25,9 +25,9 @@ def read_raster(path: Path, array: str | None = None, size=None) -> Found:
     header, image = load_image(path)
     found = Found(np.empty(0))
     found.values = _channel(path, header, image, array, found.notes)
-    if header.dtype in ("uint8", "uint16"):
-        found.full_scale = {"uint8": 255.0, "uint16": 65535.0}[header.dtype]
-    elif header.dtype in ("half", "float", "double"):
+    if found.values.dtype.kind == "u":
+        found.full_scale = float(np.iinfo(found.values.dtype).max)
+    elif found.values.dtype.kind == "f":
         found.maybe_normalised = place is None
     if nodata is not None:
         _apply_nodata(found, nodata)
