@@ -19,7 +19,7 @@ GROUND_KM, TOP_KM = 6360.0, 6440.0
 RAYLEIGH = np.array([5.802e-3, 13.558e-3, 33.1e-3])  # 1/km at 680, 550, 440 nm
 OZONE = np.array([0.650e-3, 1.881e-3, 0.085e-3])
 HAZE_TINT = np.array([0.84, 1.0, 1.22])  # Ångström exponent about 0.9
-HAZE_OPTICAL_DEPTH = 0.055  # at 550 nm for each step of turbidity above 1: sea air has 0.06 to 0.12
+HAZE_OPTICAL_DEPTH = 0.036  # at 550 nm for each step of turbidity above 1: clean sea air has 0.06
 HAZE_HEIGHT_KM, HAZE_ALBEDO, HAZE_G = 1.2, 0.94, 0.78
 SUN_KLUX = np.array(
     [124.0, 128.0, 134.0]

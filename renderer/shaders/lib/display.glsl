@@ -8,7 +8,7 @@ float exposure_scale(float ev100) { return 1000.0 / (1.2 * exp2(ev100)); }
 // AgX's idea (Sobotka): pull colours together, a sigmoid per channel in log space, push them apart again. Own curve and
 // matrix: grey is kept exactly, because the pull goes along a weighted mean whose weights sum to 1.
 const vec3 AGX_MEAN = vec3(0.27, 0.47, 0.26);
-const float AGX_PULL = 0.11, AGX_PUSH = 0.27;
+const float AGX_PULL = 0.11, AGX_PUSH = 0.31;
 const float AGX_DARK = -9.5, AGX_LIGHT = 4.6;   // stops round middle grey
 
 float agx_sigmoid(float stops) {

@@ -17,15 +17,18 @@ float foam_cover(vec4 fields, float amount, float lod) {
     return mix(cover, amount, smoothstep(3.0, 6.5, lod)) * smoothstep(0.0, 0.10, amount);
 }
 
-vec4 foam_fields(vec2 xy, vec2 flow, float stretch, float lod) {
+vec4 foam_fields(vec2 xy, vec2 flow, float lod) {
     float tile = u_foam_tile_m;
     float second = u_foam_phase.z;
     vec2 way = flow * u_foam_phase.w;
     vec4 a = textureLod(u_foam, (xy - way * u_foam_phase.x) / tile, lod);
     vec4 b = textureLod(u_foam, (xy - way * u_foam_phase.y) / tile + vec2(0.37, 0.61), lod);
-    // keep the contrast that averaging two patterns would lose
+    // rafts three tiles wide, still, break the repetition and give the foam a shape from afar
+    vec4 raft = textureLod(u_foam, turn(xy, 0.53, 0.848) / (tile * 3.3), max(lod - 1.7, 0.0)) - 0.5;
+    // keep the contrast that averaging patterns would lose
     vec4 mean = mix(a, b, second) - 0.5;
-    return clamp(mean / sqrt(second * second + (1.0 - second) * (1.0 - second)) + 0.5, 0.0, 1.0);
+    mean /= sqrt(second * second + (1.0 - second) * (1.0 - second));
+    return clamp((0.8 * mean + 0.52 * raft) / 0.95 + 0.5, 0.0, 1.0);
 }
 
 struct Foam {
@@ -38,8 +41,11 @@ struct Foam {
 // `before` undeformed xy; masks of the shore waves; `shore_edge` 1 at the water's edge, falling to 0 some way out;
 // `crest` foam of breaking crests offshore; `flow` m/s.
 Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, float crest, vec2 flow, float pixel_m) {
-    float wide = noise_at(before, 140.0, pixel_m).g, near = noise_at(before, 23.0, pixel_m).g;
-    float patches = wide * 0.62 + near * 0.38;
+    // where it lies: foam is marbled at every scale, so the same cells serve five times as wide
+    float marble_lod = log2(max(pixel_m * FOAM_TEXELS / (5.3 * u_foam_tile_m), 1.0));
+    float near = textureLod(u_foam, turn(before, 0.29, 0.957) / (5.3 * u_foam_tile_m), marble_lod).g;
+    float wide = noise_at(before, 140.0, pixel_m).g;
+    float patches = wide * 0.55 + near * 0.45;
     float torn = smoothstep(0.30, 0.72, patches);
     float front = saturate(fall * (0.15 + 0.95 * torn));
     float wake = back * back * smoothstep(0.42, 0.85, patches) * 0.42;
@@ -50,7 +56,7 @@ Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, 
     amount = saturate(amount * u_foam_amount);
     if (amount < 0.004) return Foam(0.0, 0.0, 0.0, 0.0);
     float lod = log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4));
-    vec4 fields = foam_fields(before, flow, 1.0, max(lod, 0.0));
+    vec4 fields = foam_fields(before, flow, max(lod, 0.0));
     float cover = foam_cover(fields, amount, max(lod, 0.0));
     float fine = mix(fields.a, 0.4, smoothstep(0.0, 3.0, lod));
     cover = saturate(cover * (0.86 + 0.22 * fine) + 0.25 * rim * fine * (1.0 - cover));

@@ -80,13 +80,16 @@ Ground rock_ground(vec3 p, vec3 n, float height, float pixel_m, vec4 broad, vec4
 Ground grass_ground(vec3 p, vec3 n, float height, float pixel_m, vec4 broad, vec4 mid) {
     vec4 near = ground_layer(turn(p.xy, 0.71, 0.704), 5.1, GRASS, pixel_m);
     vec4 far = ground_layer(p.xy, 37.0, GRASS, pixel_m);
-    float dry = smoothstep(0.35, 0.8, 0.55 * broad.g + 0.3 * mid.r + 0.25 * far.w);
+    vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m);
+    // dry on open, sunward and steep ground, green in the broad hollows
+    float dry = 0.55 * wide.g + 0.30 * broad.g + 0.20 * mid.r + 0.20 * far.w + 0.8 * (1.0 - n.z) - 0.15;
+    dry = smoothstep(0.28, 0.72, dry);
     vec4 patchy = noise_at(turn(p.xy, 0.6, 0.8), 67.0, pixel_m);
-    vec3 tint = mix(vec3(0.052, 0.074, 0.020), vec3(0.145, 0.122, 0.054), dry);
+    vec3 tint = mix(vec3(0.050, 0.074, 0.020), vec3(0.165, 0.132, 0.060), dry);
     tint *= 0.50 + 0.55 * near.z + 0.45 * far.z;
     // scrub in thickets, darker in the hollows of the broad noise
-    float field = 0.30 * patchy.g + 0.50 * patchy.b + 0.45 * (1.0 - broad.r) + 0.16 * (near.z - 0.5);
-    float scrub = smoothstep(0.74, 0.92, field) * smoothstep(2.5, 6.0, height);
+    float field = 0.26 * patchy.g + 0.40 * patchy.b + 0.75 * (1.0 - wide.r) + 0.16 * (near.z - 0.5);
+    float scrub = smoothstep(0.78, 0.96, field) * smoothstep(2.5, 6.0, height);
     tint = mix(tint, vec3(0.026, 0.038, 0.015) * (0.55 + 0.9 * patchy.b + 0.3 * near.z), 0.75 * scrub);
     vec2 slope = turn(near.xy, -0.71, 0.704) * 0.55 + far.xy * 0.45;
     return Ground(tint, tilt(n, slope), 0.93, 0.03);
