@@ -26,7 +26,7 @@ class Dab(NamedTuple):
 
 
 class Bounds(NamedTuple):
-    """Where dabs can have an effect, in world metres."""
+    """Where the pieces between dabs can have an effect, in world metres."""
 
     west: float
     south: float
@@ -39,8 +39,8 @@ class AlongPath:
 
     replaces = False  # dabs add to each other
 
-    def __init__(self, spacing_m: float, bounds: Bounds) -> None:
-        self.spacing_m = spacing_m
+    def __init__(self, spacing_m: float, cell_m: float, bounds: Bounds) -> None:
+        self.spacing_m = max(spacing_m, cell_m / 2)  # what lies closer cannot differ
         self.bounds = bounds
 
     def begin(self, sample: Sample) -> Iterator[Dab]:
@@ -100,8 +100,8 @@ class LinePath:
 
     replaces = True
 
-    def __init__(self, spacing_m: float, bounds: Bounds) -> None:
-        self.least_m = spacing_m
+    def __init__(self, spacing_m: float, cell_m: float, bounds: Bounds) -> None:
+        self.least_m = min(max(spacing_m, cell_m / 2), 2 * cell_m)  # less is a hand that shook on a click
 
     def begin(self, sample: Sample) -> Iterator[Dab]:
         self.first = sample
@@ -110,6 +110,3 @@ class LinePath:
     def move(self, sample: Sample) -> Iterator[Dab]:
         if math.hypot(sample.x - self.first.x, sample.y - self.first.y) >= self.least_m:
             yield Dab(self.first, sample)
-
-    def end(self) -> Iterator[Dab]:
-        yield from ()

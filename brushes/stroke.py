@@ -18,7 +18,6 @@ from .params import BrushParams, SmoothParams
 from .path import Bounds, Dab, Sample
 
 FARTHEST_M = 1e9  # a pointer past this is a slip of somebody's arithmetic
-LEAST_WAY = 0.5  # cells between two dabs: what lies closer cannot differ
 
 
 class Stroke:
@@ -46,16 +45,24 @@ class Stroke:
         row, params = self._row_and_params()
         invert = self.invert and not self.smooth
         self.step = self.journal.begin(row.inverse if invert else row.label)
+        try:
+            self._take_up(row, params, invert)
+            self.effect.begin(self.canvas, *self.canvas.data.grid.to_cells(sample.x, sample.y))
+        except BaseException:
+            self.abort()
+            raise
+        self.samples.append(sample)
+        return self._paint(self.path.begin(sample))
+
+    def _take_up(self, row: Brush, params: Section, invert: bool) -> None:
+        """Put together canvas, footprint, effect and path."""
         self.canvas = Canvas(self.level, self.step, self.brush.layer, self.brush.channel_numbers)
         grid = self.canvas.data.grid
         self.footprint = row.footprint(params.size_m / grid.cell_m, params.falloff)
         self.effect = row.effect(params, invert, self.footprint)
         self.masked = row.effect.masked(invert) and not row.path.replaces
-        way_m = max(params.spacing * self.footprint.radius, LEAST_WAY) * grid.cell_m
-        self.path = row.path(way_m, self._bounds(way_m))
-        self.samples.append(sample)
-        self.effect.begin(self.canvas, *grid.to_cells(sample.x, sample.y))
-        return self._paint(self.path.begin(sample))
+        spacing_m = params.spacing * self.footprint.radius * grid.cell_m
+        self.path = row.path(spacing_m, grid.cell_m, self._bounds(spacing_m + grid.cell_m))
 
     def move(self, x: float, y: float, pressure: float = 1.0) -> Rect:
         """Drag to world metres; returns the cells changed. Samples that are no numbers are ignored."""
@@ -71,7 +78,8 @@ class Stroke:
         """Release: the stroke becomes one undo step, none when it changed nothing. Returns the cells it changed."""
         if not self.open:
             return NOWHERE
-        self._paint(self.path.end())
+        if not self.path.replaces:
+            self._paint(self.path.end())
         return self.canvas.bounds if self.journal.commit() else NOWHERE
 
     def abort(self) -> None:

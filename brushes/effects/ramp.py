@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from ...level.shore_waves import front_speed_mps
@@ -11,52 +13,67 @@ LEVEL_GRADE = 1e-4  # a bed this flat has no front speed worth telling
 
 
 class Ramp(Effect):
-    """Brings cells to the grade, past its ends to the height there. Inverted it only digs (what only dug, fills)."""
+    """Brings cells to the grade; past its ends it leads over to the ground as it lies, so that a ramp along a slope
+    that is already right changes nothing. Inverted it only digs (what only dug, fills).
+    """
 
     def begin(self, canvas, row: float, col: float) -> None:
-        self.start = (row, col)
-        self.heights = canvas.sample(row, col), None
+        self.low = canvas.sample(row, col)
 
     def prepare(self, canvas, rect, link) -> None:
-        self.end = (link.row1, link.col1)
-        self.heights = self.heights[0], canvas.sample(link.row1, link.col1)
-        self.length = link.length
+        self.link = link
+        self.high = canvas.sample(link.row1, link.col1)
+        self.grade = (self.high - self.low) / np.float32(link.length)
+        to_row, to_col = link.heading
+        self.before = -self._leads(canvas, link.row0, link.col0, -to_row, -to_col, self.low)
+        self.after = self._leads(canvas, link.row1, link.col1, to_row, to_col, self.high)
+
+    def _leads(self, canvas, row: float, col: float, to_row: float, to_col: float, height: np.ndarray) -> np.ndarray:
+        """Rise per cell from an end of the ramp to the ground where its shoulder ends, or where the level does."""
+        rows, cols = canvas.data.grid.shape
+        far_row = min(max(row + to_row * self.footprint.soft, 0.0), rows - 1.0)
+        far_col = min(max(col + to_col * self.footprint.soft, 0.0), cols - 1.0)
+        way = (far_row - row) * to_row + (far_col - col) * to_col
+        return (canvas.sample(far_row, far_col) - height) / np.float32(way) if way >= 1 else np.zeros_like(height)
 
     def write(self, piece: Piece) -> None:
-        low, high = (heights[piece.channel] for heights in self.heights)
-        change = piece.link.along(piece.rect, piece.spare)
-        np.clip(change, 0, np.float32(self.length), out=change)
-        np.multiply(change, np.float32((float(high) - float(low)) / self.length), out=change)
-        np.add(change, low, out=change)
+        change = self._heights(piece)
         np.subtract(change, piece.base, out=change)
         one_sided(change, self.side)
         np.multiply(change, piece.weight, out=change)
         np.multiply(change, self.amount, out=change)
         np.add(piece.base, change, out=piece.live)
 
+    def _heights(self, piece: Piece) -> np.ndarray:
+        """What the grade asks for, in `piece.spare`."""
+        along = piece.link.along(piece.rect, piece.spare)
+        length, soft = np.float32(piece.link.length), np.float32(self.footprint.soft)
+        before = np.clip(along, -soft, 0)
+        after = np.clip(along, length, length + soft) - length
+        heights = np.clip(along, 0, length, out=along)
+        np.multiply(heights, self.grade[piece.channel], out=heights)
+        np.add(heights, self.low[piece.channel], out=heights)
+        heights += before * self.before[piece.channel]
+        heights += after * self.after[piece.channel]
+        return heights
+
     @property
     def side(self) -> str:
         return {"both": "cut", "cut": "fill", "fill": "cut"}[self.params.side] if self.invert else self.params.side
 
     def preview(self, canvas) -> dict | None:
-        """Where it goes, how steep it is, and the speed it gives a front: m, rise over run, m/s."""
-        if self.heights[1] is None:
-            return None
-        grid = canvas.data.grid
-        first, last = (float(heights[0]) for heights in self.heights)
-        length_m = self.length * grid.cell_m
+        """Where it goes, how steep it is, and the speed it gives a front: m, rise over run, m/s (None when level)."""
+        grid, link = canvas.data.grid, self.link
+        first, last = float(self.low[0]), float(self.high[0])
+        length_m = link.length * grid.cell_m
         grade = (last - first) / length_m
-        slope = abs(grade)
+        speed = front_speed_mps(canvas.level.settings.shore, abs(grade)) if abs(grade) >= LEVEL_GRADE else None
         return {
-            "start": grid.to_metres(*self.start),
-            "end": grid.to_metres(*self.end),
+            "start": grid.to_metres(link.row0, link.col0),
+            "end": grid.to_metres(link.row1, link.col1),
             "heights": (first, last),
             "length_m": length_m,
             "grade": grade,
-            "slope_deg": float(np.degrees(np.arctan(slope))),
-            "front_speed_mps": None if slope < LEVEL_GRADE else self._speed(canvas, slope),
+            "slope_deg": math.degrees(math.atan(abs(grade))),
+            "front_speed_mps": None if speed is None else float(speed),
         }
-
-    @staticmethod
-    def _speed(canvas, slope: float) -> float:
-        return float(front_speed_mps(canvas.level.settings.shore, slope))

@@ -27,16 +27,16 @@ class Smooth(Effect):
         steps = cascade(self.params.detail * self.footprint.radius, min(canvas.data.grid.shape))
         self.rect = rect
         self.rate = np.float32(self.amount if self.invert else self.params.opacity * self._share(link))
-        self.change = []  # mean − sample, by channel, `(rows, cols)` of rect
+        self.change = {}  # mean − sample by channel, `(rows, cols)` of rect
         for channel in canvas.channels:
             window = canvas.window(rect, sum(steps), channel, base=self.invert)
             if not self.invert and self.params.opacity < 1:
                 self._undo_opacity(window, canvas.window(rect, sum(steps), channel, base=True))
-            self.change.append(mean_minus(window, steps))
+            self.change[channel] = mean_minus(window, steps)
 
     def _share(self, link) -> float:
-        """Of the detail that a dab takes: by the way it covers, so that spacing changes nothing."""
-        radii = link.length / self.footprint.radius if link.length else 1.0
+        """Of the detail that a dab takes: by the way it covers, so that spacing matters little."""
+        radii = 2 * link.length / (2 * self.footprint.radius + link.length) if link.length else 1.0
         return 1 - (1 - min(self.params.strength, MOST)) ** radii
 
     def _undo_opacity(self, live: np.ndarray, base: np.ndarray) -> None:
