@@ -7,7 +7,7 @@ from pathlib import Path
 
 from ..level import BadInput
 from .level_json import NAME
-from .transaction import RECORD, STAGE
+from .transaction import RECORD, STAGE, flush
 
 LOCK = ".lock"  # stays behind: taking it away could let two editors in
 OURS = {LOCK, STAGE, "layers", NAME}
@@ -37,6 +37,8 @@ def make_folder(path: Path) -> bool:
             raise BadInput(f"{path} cannot be made: the folder {path.parent} does not exist") from None
         except OSError as error:
             raise BadInput(f"{path} cannot be made: {error.strerror}") from None
+        with contextlib.suppress(OSError):
+            flush(path.parent)
         return True
     if not (path / NAME).exists():
         try:
