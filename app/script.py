@@ -145,7 +145,7 @@ def _first(error: ValidationError) -> str:
     first = error.errors()[0]
     # the discriminator, and the class that a union tried, are no names a person wrote
     path = [str(part) for part in first["loc"][1:] if not str(part).startswith("tuple")]
-    if first["type"] in ("union_tag_invalid", "union_tag_not_found"):
+    if not first["loc"] and first["type"].startswith("union_tag"):
         known = "stroke set time pause run step undo redo place remove resize crop import"
         return f'"do" must be one of {", ".join(known.split())}'
     told = f"{first['msg'][0].lower()}{first['msg'][1:]}"

@@ -52,10 +52,12 @@ def find_shore(level: Level) -> Shore | None:
     share = ndimage.gaussian_filter(sea.astype(np.float64), reach, mode="nearest")
     north, east = np.gradient(share)
     slope = np.hypot(*np.gradient(ndimage.gaussian_filter(height, max(reach / 3, 0.7), mode="nearest"), cell_m))
-    score = np.hypot(north, east) * reach  # long and straight
+    score = (np.hypot(north, east) * reach) ** 4  # long and straight: 0.4 at a straight shore
     score *= np.exp(-((np.log(np.maximum(slope, 1e-4) / GOOD_SLOPE) / 1.2) ** 2))  # gently sloping
     rows, cols = (np.linspace(-1, 1, n) for n in height.shape)
-    score *= np.exp(-1.5 * (rows[:, None] ** 2 + cols[None, :] ** 2))  # near the middle
+    score *= np.exp(-0.8 * (rows[:, None] ** 2 + cols[None, :] ** 2))  # near the middle
+    round_about = [ndimage.gaussian_filter(part, 1.5 * reach) for part in (np.where(line, score, 0.0), line * 1.0)]
+    score = round_about[0] / np.maximum(round_about[1], 1e-9)  # and so for a long way
     row, col = np.unravel_index(np.argmax(np.where(line, score, -1)), line.shape)
     seaward = math.degrees(math.atan2(east[row, col], north[row, col])) % 360
     return Shore(float(col * cell_m), float(row * cell_m), seaward)

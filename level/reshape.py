@@ -35,17 +35,17 @@ def _filtered(values: np.ndarray, count: int, step: float) -> np.ndarray:
     # Towards an edge the filter narrows on both sides alike: cut on one side only it would bend a slope.
     room = np.maximum(np.minimum(np.minimum(place, old - 1 - place), reach), 1.0)
     width = np.minimum(room, reach)
-    out, total = np.zeros((count, *values.shape[1:]), np.float32), np.zeros(count)
-    taps = []
-    for tap in range(math.ceil(2 * reach) + 1):
-        index = first + tap
-        weight = np.maximum(1 - np.abs(index - place) / width, 0) * ((index >= 0) & (index < old))
-        total += weight
-        taps.append((np.clip(index, 0, old - 1), weight))
-    for index, weight in taps:
-        if weight.any():
-            share = (weight / total).astype(np.float32).reshape(-1, *(1,) * (values.ndim - 1))
-            out += share * values[index]
+    index = first[:, None] + np.arange(math.ceil(2 * reach) + 1)
+    off = index - place[:, None]
+    weight = np.maximum(1 - np.abs(off) / width[:, None], 0) * ((index >= 0) & (index < old))
+    # Taps stand unevenly about a place between samples; weights tilted to have their mean there keep slopes even.
+    total, first_moment, second = (np.sum(weight * off**power, axis=1) for power in (0, 1, 2))
+    tilt = np.where(second > 0, first_moment / np.maximum(second, 1e-12), 0)
+    share = weight * (1 - tilt[:, None] * off) / (total - tilt * first_moment)[:, None]
+    out = np.zeros((count, *values.shape[1:]), np.float32)
+    for at, part in zip(np.clip(index, 0, old - 1).T, share.T.astype(np.float32)):
+        if part.any():
+            out += part.reshape(-1, *(1,) * (values.ndim - 1)) * values[at]
     return out
 
 
