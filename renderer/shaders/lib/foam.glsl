@@ -17,11 +17,14 @@ float foam_cover(vec4 fields, float amount, float lod) {
     return mix(cover, amount, smoothstep(3.0, 6.5, lod)) * smoothstep(0.0, 0.10, amount);
 }
 
-vec4 foam_fields(vec2 xy, vec2 flow, float lod) {
+// Fields at a place and, in `lee`, how much thicker the foam is a little way towards the light: its own shading.
+vec4 foam_fields(vec2 xy, vec2 flow, vec2 to_light, float lod, out float lee) {
     float tile = u_foam_tile_m;
     float second = u_foam_phase.z;
     vec2 way = flow * u_foam_phase.w;
     vec4 a = textureLod(u_foam, (xy - way * u_foam_phase.x) / tile, lod);
+    vec4 ahead = textureLod(u_foam, (xy - way * u_foam_phase.x + to_light * (0.004 * tile * exp2(0.7 * lod))) / tile, lod);
+    lee = dot(ahead.rgb - a.rgb, vec3(0.25, 0.35, 0.4)) * (1.0 - second);
     vec4 b = textureLod(u_foam, (xy - way * u_foam_phase.y) / tile + vec2(0.37, 0.61), lod);
     // rafts three tiles wide, still, break the repetition and give the foam a shape from afar
     vec4 raft = textureLod(u_foam, turn(xy, 0.53, 0.848) / (tile * 3.3), max(lod - 1.7, 0.0)) - 0.5;
@@ -39,8 +42,9 @@ struct Foam {
 };
 
 // `before` undeformed xy; masks of the shore waves; `shore_edge` 1 at the water's edge, falling to 0 some way out;
-// `crest` foam of breaking crests offshore; `flow` m/s.
-Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, float crest, vec2 flow, float pixel_m) {
+// `crest` foam of breaking crests offshore; `flow` m/s; `to_light` horizontal, towards the sun.
+Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, float crest, vec2 flow, vec2 to_light,
+             float pixel_m) {
     // where it lies: foam is marbled at every scale, so the same cells serve five times as wide
     float marble_lod = log2(max(pixel_m * FOAM_TEXELS / (5.3 * u_foam_tile_m), 1.0));
     float near = textureLod(u_foam, turn(before, 0.29, 0.957) / (5.3 * u_foam_tile_m), marble_lod).g;
@@ -56,11 +60,12 @@ Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, 
     amount = saturate(amount * u_foam_amount);
     if (amount < 0.004) return Foam(0.0, 0.0, 0.0, 0.0);
     float lod = log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4));
-    vec4 fields = foam_fields(before, flow, max(lod, 0.0));
+    float lee;
+    vec4 fields = foam_fields(before, flow, to_light, max(lod, 0.0), lee);
     float cover = foam_cover(fields, amount, max(lod, 0.0));
     float fine = mix(fields.a, 0.4, smoothstep(0.0, 3.0, lod));
     cover = saturate(cover * (0.86 + 0.22 * fine) + 0.25 * rim * fine * (1.0 - cover));
-    return Foam(cover, amount, smoothstep(0.15, 0.9, amount), cover * mix(fields.b, fields.g, 0.4));
+    return Foam(cover, amount, smoothstep(0.15, 0.9, amount), saturate(cover * mix(fields.b, fields.g, 0.4) - 1.6 * lee));
 }
 
 // Painted foam joins what the waves made; it goes through the same texture.
@@ -74,6 +79,6 @@ Foam foam_painted(Foam foam, vec2 before, float paint, float pixel_m) {
 
 // Reflectance of foam: thick foam is nearly white, thin foam lets the water through (Koepke 1984 for old foam).
 vec3 foam_albedo(Foam foam) { return vec3(0.80, 0.83, 0.84) * mix(0.72, 1.0, smoothstep(0.2, 0.8, foam.amount))
-           * mix(0.80, 1.04, foam.relief); }
+           * mix(0.66, 1.06, foam.relief); }
 
 const float FOAM_ROUGHNESS = 0.85;

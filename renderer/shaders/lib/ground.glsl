@@ -29,7 +29,9 @@ vec3 tilt(vec3 normal, vec2 slope) { return normalize(normal - vec3(slope, 0.0))
 Ground sand_ground(vec3 p, vec3 n, float pixel_m, vec4 broad) {
     vec4 near = ground_layer(turn(p.xy, 0.36, 0.933), 4.3, SAND, pixel_m);
     vec4 far = ground_layer(turn(p.xy, -0.59, 0.807), 23.0, SAND, pixel_m);
-    vec2 slope = turn(near.xy, -0.36, 0.933) * 0.16 + turn(far.xy, 0.59, 0.807) * 0.13;
+    // the wind ripples come and go
+    float combed = smoothstep(0.30, 0.75, broad.b * 0.5 + broad.g * 0.5);
+    vec2 slope = turn(near.xy, -0.36, 0.933) * 0.16 + turn(far.xy, 0.59, 0.807) * (0.03 + 0.12 * combed);
     vec3 tint = mix(vec3(0.43, 0.355, 0.255), vec3(0.49, 0.42, 0.315), broad.r);
     tint *= 0.86 + 0.16 * near.w + 0.12 * (far.z - 0.5) + 0.16 * (broad.g - 0.35);
     // specks of shell and dark grains

@@ -16,7 +16,7 @@ float sky_open(vec2 xy, float height, vec2 slope) {
             way = vec2(-way.y, way.x);
         }
     }
-    return clamp(1.0 - 0.22 * hidden, 0.15, 1.0);
+    return clamp(1.0 - 0.2 * hidden, 0.3, 1.0);
 }
 
 // Share of a mirror ray from the water that ends on land: six heights along it.

@@ -28,7 +28,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float pixel_m) {
     float sheet = exp2(-max(column, 0.0) / 0.16) * shore;
     float crest = smoothstep(0.55, 0.95, sea.height01) * sea.deep * sharp * 0.5;
     return foam_at(before, sea.shore.line * broken, sea.shore.back * broken, sea.shore.fall * broken, sheet, crest,
-                   surface_flow(sea), pixel_m);
+                   surface_flow(sea), u_sun_direction.xy, pixel_m);
 }
 
 // Bright lines that waves draw on the bed: edges of foam cells are the same curves as caustics. Mean 1.
