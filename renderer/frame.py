@@ -7,6 +7,7 @@ module does it. Targets are described in targets.py, and each is a view (views.p
 from __future__ import annotations
 
 import copy
+from contextlib import nullcontext
 from dataclasses import dataclass, field
 from importlib import import_module
 
@@ -14,7 +15,6 @@ import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera
-from ..level.waves import largest_height_m
 from .camera import Matrices, camera_matrices
 from .quality import Tier, tier
 from .show import Overlays, Show
@@ -149,13 +149,16 @@ class Renderer:
 
     def _run(self, frame: Frame, wanted) -> None:
         self.ctx.disable(self.ctx.DEPTH_TEST | self.ctx.BLEND | self.ctx.CULL_FACE)
+        debug = "GL_KHR_debug" in self.ctx.extensions
         for row in PASSES:
             if wanted(row.name):
-                with self.ctx.debug_scope(row.name):
+                with self.ctx.debug_scope(row.name) if debug else nullcontext():
                     import_module(f".passes.{row.name}", __package__).draw(frame)
 
     def _near(self, level: Level, camera: Camera) -> float:
-        """Near plane: half the clearance over everything that can be drawn, never nearer than 0.1 m."""
+        """Near plane: part the clearance over everything that can be drawn, never nearer than 0.1 m."""
+        from ..level.waves import largest_height_m
+
         top = max(float(self.uploader.bounds.range[1]) if self.uploader.bounds else camera.z, level.sea_level_m)
         return float(np.clip(0.4 * (camera.z - top - 2 * largest_height_m(level)), 0.1, 200.0))
 
@@ -196,7 +199,9 @@ class Renderer:
 
 
 def jitter(index: int, samples: int) -> tuple[float, float]:
-    """Where sample `index` of a picture stands in its pixel, −½ … ½: the R2 sequence (M. Roberts, 2018)."""
+    """Where sample `index` of a picture stands from its pixel's middle, in pixels, mean 0 (R2, M. Roberts, 2018)."""
     if samples <= 1:
         return 0.0, 0.0
-    return (0.5 + 0.7548776662466927 * index) % 1.0 - 0.5, (0.5 + 0.5698402909980532 * index) % 1.0 - 0.5
+    points = np.arange(samples)[:, None] * (0.7548776662466927, 0.5698402909980532) % 1.0
+    x, y = points[index] - points.mean(axis=0)
+    return float(x), float(y)

@@ -94,7 +94,7 @@ def _seen(lod: Lod, view: View, nodes: np.ndarray, size: int, bounds) -> np.ndar
     low, high = bounds(col0, row0, col0 + size, row0 + size)
     ends = np.array([nodes * lod.cell_m, (nodes + size) * lod.cell_m]) - view.position[:2]
     heights = np.array([low, high], np.float64) - view.position[2]
-    inside &= heights[0] <= heights[1]
+    inside &= low <= high
     for a, b, c, d in view.planes:
         farthest = (
             np.maximum(a * ends[0][:, 0], a * ends[1][:, 0])

@@ -6,6 +6,9 @@ from dataclasses import dataclass
 
 from ..level import BadInput
 
+APRON_M = 900.0  # beyond the level the land goes on this far, sinking (lib/height.glsl)
+APRON_DEPTH_M = 60.0  # to where hardly any light comes back from
+
 
 @dataclass(frozen=True)
 class Tier:

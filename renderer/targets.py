@@ -56,7 +56,6 @@ class Targets:
         texture = self.ctx.texture(self.size, components, dtype=dtype)
         texture.filter = self.ctx.NEAREST, self.ctx.NEAREST
         texture.repeat_x = texture.repeat_y = False
-        texture.label = name
         self.textures[name] = texture
 
     def _framebuffer(self, *names: str, depth: bool = False):
@@ -68,6 +67,8 @@ class Targets:
             self.ctx.copy_framebuffer(target, source)
 
     def release(self) -> None:
+        # Making a framebuffer binds again what was bound before: that must not be one that is gone.
+        self.ctx.detect_framebuffer(0).use()
         framebuffers = (self.gbuffer, self.hdr, self.picture, self.total, self.display, *self.land, *self.under)
         for thing in (*framebuffers, *self.textures.values(), self.depth):
             thing.release()

@@ -16,6 +16,7 @@ from ..level.gerstner import groups
 from ..level.params import describe, get
 from ..level.waves import wave_uniforms
 from .look import look_uniforms
+from .quality import APRON_DEPTH_M, APRON_M
 
 OWN_SECTIONS = ("sea", "shore", "time")
 
@@ -50,6 +51,7 @@ def frame_uniforms(frame) -> dict:
         "u_pixel_angle": 2 * float(np.linalg.norm(matrices.ray_y)) / frame.size[1],
         "u_extent_m": level.grid.extent_m,
         "u_cell_m": level.grid.cell_m,
+        "u_apron": (APRON_M, APRON_DEPTH_M),
         "u_still_m": level.sea_level_m,
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
         **_sea_shape(level.settings, frame.tier),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections import Counter
+
 import numpy as np
 
 from ..level import BadInput, Level, Rect
@@ -13,16 +15,24 @@ from .bounds import HeightBounds
 
 
 class Uploader:
-    """`textures` by sampler name (`u_height`, `u_bed`, `u_variety`, `u_layer_NAME`, `u_walkable`), `bytes` sent."""
+    """`textures` by sampler name (`u_height`, `u_bed`, `u_variety`, `u_layer_NAME`, `u_walkable`), `bytes` sent.
+
+    `sent` has the bytes by name.
+    """
 
     def __init__(self, ctx) -> None:
         self.ctx = ctx
         self.textures: dict = {}
-        self.bytes = 0
+        self.sent: Counter[str] = Counter()
         self.bounds: HeightBounds | None = None
         self.seen: dict[str, object] = {}
         self.level: Level | None = None
         self.most_side = ctx.info["GL_MAX_TEXTURE_SIZE"]
+
+    @property
+    def bytes(self) -> int:
+        """Bytes sent since this was made."""
+        return sum(self.sent.values())
 
     def sync(self, level: Level) -> None:
         """Bring height, shore map and lattice up to date."""
@@ -105,7 +115,6 @@ class Uploader:
             texture = self.ctx.texture((cols, rows), components, dtype=dtype, alignment=1)
             texture.filter = self.ctx.NEAREST, self.ctx.NEAREST
             texture.repeat_x = texture.repeat_y = False
-            texture.label = name
             self.textures[name] = texture
             rect = Rect(0, 0, rows, cols)
         if rect.empty:
@@ -114,7 +123,7 @@ class Uploader:
         data = np.ascontiguousarray(values[rect.slices], kinds[dtype])
         size = rect.col1 - rect.col0, rect.row1 - rect.row0
         texture.write(data.tobytes(), viewport=(rect.col0, rect.row0, *size), alignment=1)
-        self.bytes += data.nbytes
+        self.sent[name] += data.nbytes
 
     def release(self) -> None:
         for texture in self.textures.values():

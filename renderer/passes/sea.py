@@ -32,7 +32,10 @@ def sea_chunks(frame: Frame) -> tuple[Lod, View, np.ndarray]:
                           for v, margin in ((col0, -2), (row0, -2), (col1, 3), (row1, 3)))  # fmt: skip
         lowest, _ = bounds.query(r0, c0, r1, c1)
         dry = (c0 > 0) & (r0 > 0) & (c1 < first) & (r1 < last) & (lowest > level.sea_level_m + top)
-        return (np.where(dry, np.inf, level.sea_level_m - top), np.full(len(dry), level.sea_level_m + top))
+        return (
+            np.where(dry, level.sea_level_m + 2 * top, level.sea_level_m - top),
+            np.full(len(dry), level.sea_level_m + top),
+        )
 
     return lod, view, select(lod, view, heights)
 

@@ -6,12 +6,13 @@ import math
 
 import numpy as np
 
+from ...level import Level
+from ..bounds import HeightBounds
+from ..camera import Matrices
 from ..frame import Frame
 from ..mesh import ChunkMesh, Lod, View, mesh_uniforms, select
+from ..quality import APRON_DEPTH_M, APRON_M, Tier
 from ..uniforms import set_uniforms
-
-APRON_M = 900.0  # land goes on beyond the level and sinks (lib/height.glsl)
-APRON_DEPTH_M = 9.0
 
 
 def chunk_mesh(frame: Frame, chunk: int) -> ChunkMesh:
@@ -22,23 +23,22 @@ def chunk_mesh(frame: Frame, chunk: int) -> ChunkMesh:
     return meshes[chunk]
 
 
-def terrain_chunks(frame: Frame) -> tuple[Lod, View, np.ndarray]:
-    """What of the land is drawn: rule, view and chunks."""
-    grid, bounds = frame.level.grid, frame.renderer.uploader.bounds
+def terrain_view(level: Level, bounds: HeightBounds, tier: Tier, matrices: Matrices):
+    """What `select` needs for the land: rule, view and bounds of heights."""
+    grid = level.grid
     apron = math.ceil(APRON_M / grid.cell_m)
     area = (-apron, -apron, grid.cols - 1 + apron, grid.rows - 1 + apron)
-    lod = Lod(grid.cell_m, frame.tier.terrain_chunk, frame.tier.terrain_reach, area)
     low, high = bounds.range
-    position = frame.matrices.position
-    view = View(position, frame.matrices.planes, max(low - position[2], position[2] - high, 0.0))
-    floor = frame.level.sea_level_m - APRON_DEPTH_M
+    floor = level.sea_level_m - APRON_DEPTH_M
+    eye_m = matrices.position[2]
+    view = View(matrices.position, matrices.planes, max(low - eye_m, eye_m - high, 0.0))
 
     def heights(col0, row0, col1, row1):
         lowest, highest = bounds.query(row0, col0, row1, col1)
         beyond = (col0 < 0) | (row0 < 0) | (col1 > grid.cols - 1) | (row1 > grid.rows - 1)
         return np.where(beyond, np.minimum(lowest, floor), lowest), highest
 
-    return lod, view, select(lod, view, heights)
+    return Lod(grid.cell_m, tier.terrain_chunk, tier.terrain_reach, area), view, heights
 
 
 def draw(frame: Frame) -> None:
@@ -46,9 +46,9 @@ def draw(frame: Frame) -> None:
     frame.targets.gbuffer.use()
     frame.targets.gbuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
     frame.textures["u_layer_cover"] = frame.renderer.uploader.layer(frame.level, "cover")
-    lod, view, chunks = terrain_chunks(frame)
+    lod, view, heights = terrain_view(frame.level, frame.renderer.uploader.bounds, frame.tier, frame.matrices)
     shader = frame.shader("terrain.glsl")
     set_uniforms(shader.program, mesh_uniforms(lod, view))
     ctx.enable(ctx.DEPTH_TEST)
-    frame.stats["terrain_triangles"] = chunk_mesh(frame, lod.chunk).draw(shader, chunks)
+    frame.stats["terrain_triangles"] = chunk_mesh(frame, lod.chunk).draw(shader, select(lod, view, heights))
     ctx.disable(ctx.DEPTH_TEST)

@@ -4,9 +4,7 @@
 uniform sampler2D u_height;
 uniform float u_cell_m;
 uniform float u_still_m;  // the still sea
-
-const float APRON_M = 420.0;      // way over which land beyond the border sinks
-const float APRON_DEPTH_M = 9.0;  // to this depth
+uniform vec2 u_apron;     // how far the land goes on beyond the border, how deep it sinks on the way, metres
 
 float height_texel(ivec2 cell) {
     ivec2 inside = clamp(cell, ivec2(0), textureSize(u_height, 0) - 1);
@@ -14,7 +12,7 @@ float height_texel(ivec2 cell) {
     ivec2 off = cell - inside;
     if (off != ivec2(0)) {
         float out_m = length(vec2(off)) * u_cell_m;
-        height = mix(height, min(height, u_still_m - APRON_DEPTH_M), smoothstep(0.0, APRON_M, out_m));
+        height = mix(height, min(height, u_still_m - u_apron.y), smoothstep(0.0, u_apron.x, out_m));
     }
     return height;
 }

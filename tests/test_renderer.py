@@ -1,0 +1,252 @@
+"""The frame: drawn surface against the twin, same time same bytes, no gaps, no NaN, uploads by rectangle."""
+
+import numpy as np
+import pytest
+from shorewright.level import Clock, Grid, Level, Rect
+from shorewright.level.objects import Camera
+from shorewright.level.waves import sea_at
+from shorewright.renderer import Renderer, Show, camera_matrices, pick, render
+from shorewright.renderer.frame import jitter
+from shorewright.renderer.upload import Uploader
+
+pytestmark = pytest.mark.gl
+SIZE = (128, 72)
+SEA_BLUE = np.array([0.1, 0.35, 0.75], np.float32)  # the material view's colour of the sea
+
+
+def coast(slope=0.08, side=257, rock=0.0):
+    y, x = np.mgrid[0:side, 0:side].astype(np.float64)
+    height = (y - 0.55 * side) * slope + rock * np.exp(-((x - 150) ** 2 + (y - 120) ** 2) / 90)
+    return Level(Grid(side, side), height.astype(np.float32))
+
+
+@pytest.fixture(scope="module")
+def renderer(ctx):
+    made = Renderer(ctx)
+    yield made
+    made.release()
+
+
+def camera(x=128.0, y=60.0, z=30.0, yaw=10.0, pitch=-30.0, fov=50.0):
+    return Camera(id="c", x=x, y=y, z=z, yaw_deg=yaw, pitch_deg=pitch, fov_deg=fov)
+
+
+@pytest.mark.parametrize("quality", ["medium", "high"])
+@pytest.mark.parametrize("time_s", [0.0, 7 * 86400.0])
+@pytest.mark.parametrize(
+    "place", [camera(), camera(z=3.0, pitch=-6.0, yaw=60.0), camera(y=20.0, z=2.0, yaw=190.0, pitch=-9.0)]
+)
+def test_drawn_surface_is_the_twins_within_3_cm(renderer, quality, time_s, place):
+    """Position view within 100 m of the camera, waves of 5 m (D30, H05, D10)."""
+    level = coast(rock=9.0)
+    level.set("sea.chop_length_m", 5.0)
+    options = {"size": SIZE, "time_s": time_s, "quality": quality, "linear": True, "renderer": renderer}
+    position = render(level, place, view="position", **options).astype(np.float64)
+    material = render(level, place, view="material", **options)
+    away = np.linalg.norm(position - [place.x, place.y, place.z], axis=-1)
+    near_sea = (np.abs(material - SEA_BLUE).max(axis=-1) < 0.01) & (away < 100)
+    assert near_sea.sum() > 2000
+    x, y, z = position[near_sea].T
+    error = np.abs(sea_at(level, time_s, x, y).height_m - z)
+    assert error.max() < 0.03
+
+
+def test_before_and_after_coordinates_agree_with_the_twin(renderer):
+    """H30: before is the undeformed point that the twin finds for the drawn world position."""
+    level, place = coast(), camera()
+    options = {"size": SIZE, "time_s": 3.0, "linear": True, "renderer": renderer}
+    before, after, material = (
+        render(level, place, view=name, **options).astype(np.float64) for name in ("before", "after", "material")
+    )
+    sea = np.abs(material - SEA_BLUE).max(axis=-1) < 0.01
+    twin = sea_at(level, 3.0, after[sea][:, 0], after[sea][:, 1])
+    off = np.hypot(twin.before_x - before[sea][:, 0], twin.before_y - before[sea][:, 1])
+    assert np.quantile(off, 0.99) < 0.05
+    assert np.abs(before - after)[sea].max() > 0.05
+
+
+def test_same_time_same_bytes_however_it_was_reached(renderer, ctx):
+    """Run and stop, scrub, a fresh renderer: one picture (T05)."""
+    level, place = coast(), camera()
+    run, scrubbed = Clock(), Clock()
+    run.advance(3.7)
+    run.step(1)
+    scrubbed.scrub(run.time_s)
+    first = render(level, place, SIZE, run.time_s, renderer=renderer)
+    render(level, camera(yaw=90), (64, 64), 99.0, renderer=renderer)
+    level.set("shore.count", 5)
+    render(level, place, SIZE, 1.0, renderer=renderer)
+    level.set("shore.count", 3)
+    again = render(level, place, SIZE, scrubbed.time_s, renderer=renderer)
+    assert np.array_equal(first, again)
+    fresh = Renderer(ctx)
+    assert np.array_equal(first, render(level, place, SIZE, run.time_s, renderer=fresh))
+    fresh.release()
+
+
+@pytest.mark.parametrize("height", [25.0, 140.0, 700.0])
+def test_no_cracks_in_land_or_sea_from_above(renderer, height):
+    """White land alone, then the sea alone over it: no pixel of what lies behind (D01)."""
+    place = camera(x=131.3, y=77.7, z=height, yaw=33.0, pitch=-90.0, fov=70.0)
+    rng = np.random.default_rng(4)
+    bumps = Level(Grid(257, 257), rng.uniform(0, 6, (257, 257)).astype(np.float32))
+    options = {"view": "material", "size": (320, 240), "linear": True, "renderer": renderer}
+    land = render(bumps, place, show=Show.hide("water"), **options)
+    assert len(np.unique(land.reshape(-1, 3), axis=0)) == 1
+    assert land.max() > 0.3
+    deep = Level(Grid(257, 257), np.full((257, 257), -30, np.float32))
+    sea = render(deep, place, **options)
+    assert np.abs(sea - SEA_BLUE).max() < 0.01
+
+
+@pytest.mark.parametrize("height", [2.0, 40.0, 400.0])
+def test_sea_reaches_the_horizon_without_a_gap(renderer, height):
+    """H21: from the mesh to the plane to the sky, every pixel below the horizon is sea."""
+    deep = Level(Grid(129, 129), np.full((129, 129), -40, np.float32))
+    place = camera(x=64, y=64, z=height, pitch=-3.0, fov=40.0)
+    material = render(deep, place, SIZE, 2.0, "material", linear=True, renderer=renderer)
+    sea = np.abs(material - SEA_BLUE).max(axis=-1) < 0.01
+    matrices = camera_matrices(place, SIZE)
+    for row in range(SIZE[1]):
+        up = matrices.ray(SIZE[0] / 2, row + 0.5, SIZE)[2]
+        if abs(up) > 0.006:  # further from the horizon than the waves near the eye reach over it
+            assert sea[row].all() == (up < 0), row
+
+
+@pytest.mark.parametrize("quality", ["low", "medium", "high"])
+@pytest.mark.parametrize("z", [60.0, 0.35, 0.0, -1.5, -30.0])
+def test_no_nan_above_on_and_below_the_surface(renderer, z, quality):
+    level = coast()
+    for pitch in (-90.0, -20.0, 0.0, 35.0):
+        shot = render(level, camera(y=70, z=z, pitch=pitch), (64, 36), 2.0, quality=quality, linear=True,
+                      renderer=renderer)  # fmt: skip
+        assert np.isfinite(shot).all()
+
+
+@pytest.mark.parametrize("elevation", [-10.0, 0.0, 0.4, 90.0])
+def test_no_nan_at_any_height_of_the_sun(renderer, elevation):
+    level = coast(rock=9.0)
+    level.set("light.sun_elevation_deg", elevation)
+    for view in ("final", "shadow"):
+        assert np.isfinite(render(level, camera(), SIZE, 2.0, view, linear=True, renderer=renderer)).all()
+
+
+def test_shadow_of_a_rock_falls_away_from_the_sun(renderer):
+    """Sun in the west, a post of 20 m: its shadow on flat ground is 20 m / tan(45°) long, to the east."""
+    height = np.full((129, 129), 1.0, np.float32)
+    height[62:67, 40:43] = 21.0
+    level = Level(Grid(129, 129), height)
+    level.set("light.sun_azimuth_deg", 270.0)
+    level.set("light.sun_elevation_deg", 45.0)
+    place = Camera(id="c", x=64, y=64, z=150, yaw_deg=0, pitch_deg=-90, fov_deg=46)
+    options = {"size": (129, 129), "linear": True, "renderer": renderer}
+    shadow = render(level, place, view="shadow", **options)[..., 0]
+    position = render(level, place, view="position", **options)
+    row = np.argmin(np.abs(position[:, 64, 1] - 64))
+    x = position[row, :, 0]
+    assert shadow[row, (x > 46) & (x < 60)].max() < 0.05
+    assert shadow[row, (x > 65) & (x < 120)].min() > 0.95
+    assert shadow[row, (x > 5) & (x < 38)].min() > 0.95
+
+
+def test_uploads_are_the_rectangles_that_changed(ctx):
+    """A dab sends its own cells of height, not the level (bytes counted)."""
+    level = coast(side=513)
+    uploader = Uploader(ctx)
+    uploader.sync(level)
+    assert uploader.sent["u_height"] == 513 * 513 * 4
+    sent = uploader.bytes
+    uploader.sync(level)
+    assert uploader.bytes == sent
+    rect = Rect(100, 200, 140, 260)
+    level.live = True  # as while a stroke is open
+    level.layers["height"].array[rect.slices] += 1
+    level.mark("height", rect)
+    uploader.sync(level)
+    assert uploader.sent["u_height"] == 513 * 513 * 4 + rect.cells * 4
+    assert uploader.bytes - sent < 0.25 * 513 * 513 * 16
+    held = np.frombuffer(uploader.textures["u_height"].read(), np.float32).reshape(513, 513)
+    assert np.array_equal(held, level.height)
+    assert uploader.bounds.range == (level.height.min(), level.height.max())
+    uploader.release()
+
+
+def test_layers_are_one_texel_until_painted_and_follow_rectangles(ctx):
+    level = coast(side=257)
+    uploader = Uploader(ctx)
+    assert uploader.layer(level, "cover").size == (1, 1)
+    level.write("cover", Rect(10, 20, 30, 50), np.array([0.5, 0.25, 0, 1], np.float32))
+    assert uploader.layer(level, "cover").size == (257, 257)
+    sent = uploader.bytes
+    level.write("cover", Rect(40, 20, 44, 30), 1.0)
+    texture = uploader.layer(level, "cover")
+    assert uploader.bytes - sent == 4 * 10 * 4 * 2
+    held = np.frombuffer(texture.read(alignment=1), np.float16).reshape(257, 257, 4)
+    assert np.array_equal(held.astype(np.float32), level.layers["cover"].array)
+    uploader.release()
+
+
+def test_an_edit_shows_and_its_undo_takes_it_back(renderer):
+    from shorewright.level import Journal
+
+    level, place = coast(), camera()
+    journal = Journal(level)
+    before = render(level, place, SIZE, 1.0, renderer=renderer)
+    with journal.step("Raise") as step:
+        rect = Rect(90, 100, 160, 170)
+        step.save(level.layers["height"], rect)
+        level.layers["height"].array[rect.slices] += 5
+        level.mark("height", rect)
+    assert not np.array_equal(before, render(level, place, SIZE, 1.0, renderer=renderer))
+    journal.undo()
+    assert np.array_equal(before, render(level, place, SIZE, 1.0, renderer=renderer))
+
+
+def test_two_levels_and_a_reset_share_one_renderer(renderer):
+    first, second = coast(), coast(slope=0.2, side=129)
+    place = camera()
+    a = render(first, place, SIZE, renderer=renderer)
+    b = render(second, place, SIZE, renderer=renderer)
+    assert not np.array_equal(a, b)
+    assert np.array_equal(a, render(first, place, SIZE, renderer=renderer))
+    second.reset(first.grid, first.layers["height"].base)
+    assert np.array_equal(a, render(second, place, SIZE, renderer=renderer))
+
+
+def test_samples_smooth_edges_and_keep_the_light(renderer):
+    """The mean of jittered frames: about the same light, fewer steps at edges; sums are linear."""
+    level, place = coast(rock=9.0), camera()
+    one = render(level, place, SIZE, 1.0, linear=True, renderer=renderer)
+    many = render(level, place, SIZE, 1.0, linear=True, samples=8, renderer=renderer)
+    assert abs(many.mean() / one.mean() - 1) < 0.03
+    assert np.abs(np.diff(many, axis=0)).mean() < np.abs(np.diff(one, axis=0)).mean()
+    offsets = np.array([jitter(i, 16) for i in range(16)])
+    assert np.abs(offsets).max() < 0.6
+    assert np.abs(offsets.mean(axis=0)).max() < 1e-12
+
+
+def test_picking_hits_the_ground_that_is_drawn(renderer):
+    """CPU ray against the position view with the water off."""
+    level, place = coast(rock=9.0), camera()
+    drawn = render(level, place, SIZE, 0.0, "position", Show.hide("water"), linear=True, renderer=renderer)
+    for px, py in ((64, 40), (20, 60), (100, 30)):
+        hit = pick(level, place, SIZE, px + 0.5, py + 0.5)
+        np.testing.assert_allclose(hit, drawn[py, px], atol=0.25)
+    assert pick(level, camera(pitch=30), SIZE, 64, 36) is None
+    assert pick(level, camera(x=-5000), SIZE, 0, 70) is None
+
+
+def test_camera_matrices_agree_with_their_rays():
+    place = camera(yaw=217.0, pitch=-33.0)
+    matrices = camera_matrices(place, SIZE, jitter=(0.3, -0.2))
+    for px, py in ((3.0, 5.0), (100.0, 60.0)):
+        ray = matrices.ray(px, py, SIZE)
+        clip = matrices.view_projection @ np.append(ray * 50, 1)
+        np.testing.assert_allclose(clip[:2] / clip[3], [2 * px / 128 - 1, 1 - 2 * py / 72], atol=1e-9)
+    far = matrices.view_projection @ np.append(matrices.ray(64, 36, SIZE), 0)
+    assert -far[3] <= far[2] <= far[3]
+
+
+def test_gl_is_left_without_errors(renderer, ctx):
+    render(coast(), camera(), SIZE, renderer=renderer, samples=2)
+    assert ctx.error == "GL_NO_ERROR"
