@@ -7,7 +7,7 @@ from pathlib import Path
 from ..level import BadInput, Grid
 from . import level_json
 from .level_sectors import check_sector, decode, file_hash
-from .package import HASHES, read_hashes
+from .package_read import HASHES, read_hashes
 from .transaction import RECORD, STAGE, pending
 
 

@@ -9,9 +9,7 @@ the current date into files, tags 16-bit PNG as sRGB, and its `geterror()` can r
 from __future__ import annotations
 
 import contextlib
-import errno
 import os
-import shutil
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -20,11 +18,11 @@ import numpy as np
 
 from ..level import BadInput
 from ..level.grid import MAX_SIDE
+from .transaction import disk_reason
 
 WRITABLE = (".png", ".exr", ".tif", ".tiff")
 READABLE = (*WRITABLE, ".bmp", ".jpg", ".jpeg", ".tga", ".hdr")
 MAX_CHANNELS = 32
-SPARE_BYTES = 1 << 20  # a disk with less left is full
 
 
 @dataclass(frozen=True)
@@ -139,15 +137,6 @@ def _check_written(path: Path) -> None:
         raise OSError(0, str(error)) from None
 
 
-def disk_reason(error: OSError, folder: Path) -> str:
-    """Why a file could not be written; an image writer only says that it failed, so the disk is asked."""
-    full = error.errno in (errno.ENOSPC, errno.EDQUOT)
-    if not error.errno:
-        with contextlib.suppress(OSError):
-            full = shutil.disk_usage(folder).free < SPARE_BYTES
-    return "the disk is full" if full else error.strerror or str(error)
-
-
 def _kind(path: Path, pixels: np.ndarray, half: bool) -> str:
     suffix = path.suffix.lower()
     if suffix not in WRITABLE:
@@ -177,14 +166,7 @@ def _open(path: Path):
     """An opened ImageInput, sizes checked; BadInput otherwise."""
     import OpenImageIO
 
-    if not path.exists():
-        raise BadInput(f"{path} does not exist")
-    if not path.is_file():
-        raise BadInput(f"{path} is not a file, so it cannot be read as an image")
-    if path.suffix.lower() not in READABLE:
-        raise BadInput(f"{path} is not an image that can be read: use one of {', '.join(READABLE)}")
-    if path.stat().st_size == 0:
-        raise BadInput(f"{path} is empty")
+    _check_file(path)
     if path.suffix.lower() == ".png":
         from .png_check import check_png
 
@@ -199,6 +181,21 @@ def _open(path: Path):
     if image is None:
         raise _damaged(path, _global_error())
     return image
+
+
+def _check_file(path: Path) -> None:
+    try:
+        if not path.exists():
+            raise BadInput(f"{path} does not exist")
+        if not path.is_file():
+            raise BadInput(f"{path} is not a file, so it cannot be read as an image")
+        if path.suffix.lower() not in READABLE:
+            raise BadInput(f"{path} is not an image that can be read: use one of {', '.join(READABLE)}")
+        with path.open("rb") as file:
+            if not file.read(1):
+                raise BadInput(f"{path} is empty")
+    except OSError as error:
+        raise BadInput(f"{path} cannot be read: {error.strerror}") from None
 
 
 def _header(path: Path, image) -> Header:

@@ -28,25 +28,20 @@ def check_folder(path: Path) -> None:
 
 def make_folder(path: Path) -> bool:
     """Make the folder of a new level where there is none; True when it was made. BadInput when that cannot be."""
-    if path.exists() and not path.is_dir():
-        raise BadInput(f"{path} is a file, so no level can be saved there")
-    if not path.exists():
-        try:
+    try:
+        if not path.exists():
             path.mkdir()
-        except FileNotFoundError:
-            raise BadInput(f"{path} cannot be made: the folder {path.parent} does not exist") from None
-        except OSError as error:
-            raise BadInput(f"{path} cannot be made: {error.strerror}") from None
-        with contextlib.suppress(OSError):
             flush(path.parent)
-        return True
-    if not (path / NAME).exists():
-        try:
-            foreign = sorted(entry.name for entry in path.iterdir() if entry.name not in OURS)
-        except OSError as error:
-            raise BadInput(f"{path} cannot be read: {error.strerror}") from None
-        if foreign:
-            raise BadInput(f"{path} holds other things ({foreign[0]}) and no level: choose a new name")
+            return True
+        if not path.is_dir():
+            raise BadInput(f"{path} is a file, so no level can be saved there")
+        foreign = sorted(entry.name for entry in path.iterdir() if entry.name not in OURS)
+    except FileNotFoundError:
+        raise BadInput(f"{path} cannot be made: the folder {path.parent} does not exist") from None
+    except OSError as error:
+        raise BadInput(f"{path} cannot be made: {error.strerror}") from None
+    if foreign and not (path / NAME).exists():
+        raise BadInput(f"{path} holds other things ({foreign[0]}) and no level: choose a new name")
     return False
 
 

@@ -8,54 +8,16 @@ as one transaction (`transaction.py`); editing takes a lock, reading takes none.
 from __future__ import annotations
 
 import json
-import os
-import time
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 from pathlib import Path
 from weakref import WeakKeyDictionary
 
-import numpy as np
-
-from ..level import BadInput, Grid, Level
+from ..level import BadInput, Level
 from . import level_json
-from .images import disk_reason
-from .level_json import BASE, Manifest
-from .level_sectors import (
-    check_sector,
-    decode,
-    file_hash,
-    put_tiles,
-    refuse_nan,
-    revision_of,
-    sector_names,
-    write_checked,
-)
+from .level_sectors import refuse_nan, sector_names, write_checked
 from .lock import check_folder, make_folder, remove_empty, take
-from .transaction import RECORD, STAGE, Hook, Transaction, finish, pending, where
-
-HASHES = "layers/hashes.json"
-THREADS = min(8, os.cpu_count() or 2)
-
-
-@dataclass
-class Saved:
-    """What the disk holds of a level: the revision it was saved at, and each sector file's hash and signature."""
-
-    folder: Path
-    revision: int
-    base: np.ndarray
-    hashes: dict[str, str] = field(default_factory=dict)
-    signatures: dict[str, tuple | None] = field(default_factory=dict)
-
-    def is_stale(self, level: Level, name: str, path: Path) -> bool:
-        """True when a sector changed in memory or its file on disk since."""
-        if self.signatures.get(name) is None or self.signatures[name] != signature(path):
-            return True
-        if name.startswith(BASE + "."):  # a base is replaced, never changed in place
-            return level.layers["height"].base is not self.base
-        return revision_of(level, name) > self.revision
-
+from .package_read import HASHES, THREADS, Saved, inside, read_committed, signature
+from .transaction import RECORD, STAGE, Hook, Transaction, disk_reason, finish
 
 _saved: WeakKeyDictionary[Level, Saved] = WeakKeyDictionary()
 
@@ -126,76 +88,12 @@ class LevelFolder:
             remove_empty(self.path)
         lock.release()
 
-    # Reading
-
     def read(self) -> Level:
-        """The level as last committed; while another program saves it, reading starts over."""
+        """The level as last committed; needs no lock."""
         check_folder(self.path)
-        for _ in range(20):
-            before = self._fingerprint()
-            try:
-                level = self._read()
-            except BadInput:
-                if before == self._fingerprint() and before[-1] is None:
-                    raise
-            else:
-                if before == self._fingerprint():
-                    return level
-            time.sleep(0.05)
-        return self._read()
-
-    def _fingerprint(self) -> tuple:
-        names = (level_json.NAME, HASHES, f"{STAGE}/{RECORD}")
-        return tuple(signature(self.path / name) for name in names)
-
-    def _read(self) -> Level:
-        self.notes.clear()
-        record = pending(self.path)
-        manifest = self._manifest(record)
-        grid = Grid(manifest.grid.rows, manifest.grid.cols, manifest.grid.cell_m)
-        paths = {name: self._inside(f"layers/{name}.exr", record) for name in manifest.layers}
-        with ThreadPoolExecutor(THREADS) as pool:
-            list(pool.map(lambda name: check_sector(paths[name], grid, name), paths))  # before memory is taken
-            level = _fill(manifest, grid, paths, pool)
-            hashes = dict(zip(paths, pool.map(file_hash, paths.values())))
-        self._compare(paths, read_hashes(self._inside(HASHES, record)), hashes)
-        signatures = {name: signature(path) for name, path in paths.items()}
-        base = level.layers["height"].base
-        _saved[level] = Saved(self.path.resolve(), level.revision, base, hashes, signatures)
+        level, saved = read_committed(self.path, self.notes)
+        _saved[level] = saved
         return level
-
-    def _compare(self, paths: dict[str, Path], known: dict[str, str], found: dict[str, str]) -> None:
-        """A sector may decode and yet be damaged (incompressible parts lie bare in the file): its hash tells."""
-        for name, path in paths.items():
-            if known.get(name, found[name]) != found[name]:
-                raise BadInput(
-                    f"{path} was damaged or changed since it was saved, its hash differs: restore it from a copy, or "
-                    f"delete its line in {self.path / HASHES} to use it as it is"
-                )
-        unknown = [str(path) for name, path in paths.items() if name not in known]
-        if unknown:
-            more = f" and {len(unknown) - 1} more" if len(unknown) > 1 else ""
-            self.notes.append(f"{unknown[0]}{more} has no hash in {HASHES}; used as it is")
-
-    def _manifest(self, record: dict | None) -> Manifest:
-        path = self._inside(level_json.NAME, record)
-        if not path.is_file():
-            raise BadInput(f"{self.path} is not a level: its {level_json.NAME} is no file")
-        try:
-            if path.stat().st_size > level_json.MAX_BYTES:
-                raise BadInput(f"{path} is larger than {level_json.MAX_BYTES >> 20} MB, so it is no level description")
-            return level_json.parse(path, path.read_bytes())
-        except OSError as error:
-            raise BadInput(f"{path} cannot be read: {error.strerror}") from None
-
-    def _inside(self, name: str, record: dict | None) -> Path:
-        """The path of one of the level's files; BadInput when a link leads it out of the folder."""
-        path = where(self.path, name, record)
-        if not path.resolve().is_relative_to(self.path.resolve()):
-            raise BadInput(f"{path} is a link that leads out of the level, so it is not followed")
-        return path
-
-    # Writing
 
     def save(self, level: Level) -> list[str]:
         """Write what changed since this level was read or saved here; returns the names of the files written.
@@ -209,7 +107,7 @@ class LevelFolder:
         save = Transaction(self.path, self._hook)
         try:
             finish(self.path)
-            self._inside("layers/any", None)
+            inside(self.path, "layers/any", None)
             names = sector_names(level)
             dirty = [n for n in names if known is None or known.is_stale(level, n, self.path / f"layers/{n}.exr")]
             refuse_nan(level, dirty)
@@ -252,39 +150,6 @@ class LevelFolder:
         reason = disk_reason(error, self.path)
         save.discard()
         return BadInput(f"{self.path} cannot be saved: {reason}; what was saved before is untouched")
-
-
-def _fill(manifest: Manifest, grid: Grid, paths: dict[str, Path], pool: ThreadPoolExecutor) -> Level:
-    base = np.empty(grid.shape, np.float32)
-
-    def put_base(name: str) -> None:
-        base[grid.sector_rect(level_json.split(name)[1]).slices] = decode(paths[name], grid, name)[0]
-
-    list(pool.map(put_base, [name for name in paths if name.startswith(BASE + ".")]))
-    level = Level(grid, base, manifest.settings, dict(manifest.georeference))
-    level.objects = {thing.id: thing for thing in manifest.objects}
-    others = [name for name in paths if not name.startswith(BASE + ".")]
-    for name, (samples, written) in zip(others, pool.map(lambda n: decode(paths[n], grid, n), others)):
-        put_tiles(level, name, samples, written)
-    return level
-
-
-def read_hashes(path: Path) -> dict[str, str]:
-    """The hashes of the last save; empty when they are gone or unreadable, which is told like any other change."""
-    try:
-        found = json.loads(path.read_bytes())
-    except (OSError, ValueError, RecursionError):
-        return {}
-    return found if isinstance(found, dict) else {}
-
-
-def signature(path: Path) -> tuple | None:
-    """What changes when a file is replaced or rewritten; None when it isn't there."""
-    try:
-        stat = path.stat()
-    except OSError:
-        return None
-    return stat.st_ino, stat.st_mtime_ns, stat.st_size
 
 
 def _same(path: Path, data: bytes) -> bool:

@@ -9,9 +9,11 @@ not write sees through the record (`where`): it takes a file from `.save/` while
 from __future__ import annotations
 
 import contextlib
+import errno
 import json
 import os
 import re
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -21,6 +23,7 @@ STAGE = ".save"
 RECORD = "commit.json"
 NAME = re.compile(r"(layers/)?[A-Za-z0-9_]+(\.[A-Za-z0-9_]+)*")  # all that a record may name
 MAX_RECORD = 16 << 20
+SPARE_BYTES = 1 << 20  # a disk with less left is full
 
 Hook = Callable[[str], None]
 
@@ -153,3 +156,12 @@ def flush(path: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
+
+
+def disk_reason(error: OSError, folder: Path) -> str:
+    """Why a file could not be written; an image writer only says that it failed, so the disk is asked."""
+    full = error.errno in (errno.ENOSPC, errno.EDQUOT)
+    if not error.errno:
+        with contextlib.suppress(OSError):
+            full = shutil.disk_usage(folder).free < SPARE_BYTES
+    return "the disk is full" if full else error.strerror or str(error)
