@@ -1,0 +1,173 @@
+"""What the window adds to a session: messages, overlays, quality, camera flights, requests that ask the person.
+
+No imgui here: panels read it and call it, tests can too.
+"""
+
+from __future__ import annotations
+
+import logging
+import time
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from ..level import BadInput
+from ..level.objects import Camera
+from ..renderer.show import Overlays
+from .actions import ACTIONS, Action
+from .camera_control import between
+from .messages import Messages
+from .preferences import Preferences
+from .probe import Probe, probe
+from .session import Session
+
+log = logging.getLogger(__name__)
+GLIDE_S = 0.28
+QUALITIES = ("low", "medium", "high")
+TOLD = {"undo": "Undone: {}", "redo": "Redone: {}"}
+WHILE_STROKING = {"abort", "undo", "pause", "step", "step_back", "water"}  # other actions wait for the release
+
+
+@dataclass
+class Glide:
+    """A flight of the camera that started at a moment (monotonic seconds)."""
+
+    start: Camera
+    end: Camera
+    at: float
+
+    def camera(self, now: float) -> Camera:
+        return between(self.start, self.end, (now - self.at) / GLIDE_S)
+
+    def over(self, now: float) -> bool:
+        return now - self.at >= GLIDE_S
+
+
+class Editor:
+    """The window's state round one `Session`, which can be replaced by another (`show_session`)."""
+
+    def __init__(self, session: Session, preferences: Preferences | None = None, save_to: Path | None = None) -> None:
+        self.session = session
+        self.preferences = preferences or Preferences()
+        self.save_to = save_to  # where the preferences go; None for their usual place
+        self.messages = Messages()
+        self.quality = self.preferences.quality
+        self.walkable = False  # overlays (D31, D40)
+        self.outline = False
+        self.centre = False
+        self.typing = False  # a text field has the keyboard
+        self.flying = False  # the right button is held: letters steer
+        self.shall_exit = False
+        self.asked: list[str] = []  # requests for dialogs, oldest first
+        self.picture_stats = ""
+        self._glide: Glide | None = None
+        self._last = time.monotonic()
+        self._probed: tuple[Any, Probe | None] = (None, None)
+
+    # The session
+
+    def show_session(self, session: Session) -> None:
+        """Edit another level from now on; the one before is closed."""
+        before, self.session = self.session, session
+        self._glide = None
+        if before is not session:
+            before.close()
+        if session.recovery is None:
+            session.keep_log()
+        if session.path:
+            self.remember(session.path)
+
+    def remember(self, path: Path) -> None:
+        """Put a level in front of the recent ones."""
+        self.preferences.remember(path)
+        self.preferences.save(self.save_to)
+
+    def attempt(self, work: Callable, *args: Any, **named: Any) -> Any:
+        """Call something that may find its input bad; then the sentence is told and None returned."""
+        try:
+            return work(*args, **named)
+        except (BadInput, OSError) as error:
+            self.messages.warn(str(error))
+            return None
+
+    def set(self, path: str, value: Any, merge: bool = False) -> None:
+        """Change a level setting as panels do."""
+        self.attempt(self.session.set, path, value, merge)
+
+    def do(self, name: str | Action) -> None:
+        """Run a row of ACTIONS, unless it has nothing to do now."""
+        action = ACTIONS[name] if isinstance(name, str) else name
+        session = self.session
+        if not action.enabled(session) or (session.stroke and action.id not in WHILE_STROKING):
+            return
+        camera = session.camera
+        label = self.attempt(action.run, session)
+        if session.camera != camera:
+            self.fly_to(session.camera, camera)
+        if action.id in TOLD and label:
+            self.messages.tell(TOLD[action.id].format(label))
+        if action.id == "save" and session.path and not session.dirty:
+            self.saved(session.path)
+
+    def saved(self, path: Path) -> None:
+        self.messages.tell(f"Saved {path.name}")
+        self.remember(path)
+
+    # Once a frame
+
+    def tick(self) -> None:
+        """Let time pass: the clock, a camera's flight, what the session wants told and asked."""
+        now = time.monotonic()
+        self.session.advance(min(now - self._last, 0.5))
+        self._last = now
+        if self._glide:
+            self.session.camera = self._glide.camera(now)
+            self._glide = None if self._glide.over(now) else self._glide
+        while self.session.notes:
+            self.messages.tell(self.session.notes.pop(0))
+        while self.session.requests:
+            self._request(self.session.requests.popleft())
+
+    def _request(self, request: str) -> None:
+        if request in ("walkable", "outline", "centre"):
+            setattr(self, request, not getattr(self, request))
+        else:
+            self.asked.append(request)
+
+    # Looking
+
+    def fly_to(self, end: Camera, start: Camera | None = None) -> None:
+        """Glide to a camera from where the view is now."""
+        start = start or self.session.camera
+        self.session.camera = start
+        self._glide = Glide(start, end, time.monotonic())
+
+    def move_camera(self, camera: Camera) -> None:
+        """Take the camera by hand; a flight ends."""
+        self._glide = None
+        self.session.camera = camera
+
+    @property
+    def gliding(self) -> bool:
+        return self._glide is not None
+
+    @property
+    def overlays(self) -> Overlays:
+        return Overlays(walkable=self.walkable, outline=self.outline, centre=self.centre)
+
+    @property
+    def live(self) -> bool:
+        """Whether the picture changes by itself."""
+        clock = self.session.clock
+        return (not clock.paused and clock.rate != 0) or self.gliding
+
+    def probe(self) -> Probe | None:
+        """What is under the pointer, worked out once for a place and a state of the level."""
+        cursor, level = self.session.cursor, self.session.level
+        if cursor is None:
+            return None
+        key = (cursor[:2], id(level), level.revision)
+        if self._probed[0] != key:
+            self._probed = key, probe(level, *cursor[:2])
+        return self._probed[1]

@@ -1,0 +1,94 @@
+"""The menu bar, made from ACTIONS; besides them recent levels, panels and the page of shortcuts."""
+
+from __future__ import annotations
+
+from imgui_bundle import hello_imgui, imgui
+
+from . import keys, theme
+from .actions import ACTIONS
+from .editor import QUALITIES, Editor
+
+ORDER = ("File", "Edit", "Brush", "Time", "View")
+CAMERA_HELP = (
+    ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),
+    ("Alt + left, or middle", "orbit about what is under the pointer"),
+    ("Shift + middle, Alt + middle", "pan"),
+    ("Wheel, Alt + right", "zoom to the pointer"),
+    ("Right held", "look round; W A S D fly, Q E down and up, Shift faster, wheel sets the speed"),
+)
+
+
+def draw(editor: Editor) -> None:
+    for menu in ORDER:
+        if imgui.begin_menu(menu):
+            _rows(editor, menu)
+            if menu == "File":
+                _recent(editor)
+                imgui.separator()
+                if imgui.menu_item_simple("Quit", "Ctrl+Q"):
+                    editor.session.ask("quit")
+            if menu == "View":
+                _view(editor)
+            imgui.end_menu()
+    if imgui.begin_menu("Help"):
+        help_rows()
+        imgui.end_menu()
+
+
+def _rows(editor: Editor, menu: str) -> None:
+    session = editor.session
+    for action in ACTIONS.values():
+        if action.menu != menu or action.id == "quit":
+            continue
+        if action.id in ("export", "pause", "smaller", "brush.raise") and menu != "Time":
+            imgui.separator()
+        chosen = action.id == f"brush.{session.brush}" or (action.id == "water" and "water" in session.show)
+        chosen = chosen or (action.id == "walkable" and editor.walkable)
+        if imgui.menu_item(action.title, keys.shown(action), chosen, action.enabled(session))[0]:
+            editor.do(action)
+
+
+def _recent(editor: Editor) -> None:
+    recent = editor.preferences.recent_levels()
+    if recent and imgui.begin_menu("Recent"):
+        for path in recent:
+            if imgui.menu_item_simple(f"{path.name}###{path}"):
+                editor.session.ask(f"open:{path}")
+            if imgui.is_item_hovered():
+                imgui.set_tooltip(str(path))
+        imgui.end_menu()
+
+
+def _view(editor: Editor) -> None:
+    imgui.separator()
+    if imgui.begin_menu("Quality"):
+        for quality in QUALITIES:
+            if imgui.menu_item_simple(quality.capitalize(), selected=editor.quality == quality):
+                editor.quality = editor.preferences.quality = quality
+        imgui.end_menu()
+    docking = hello_imgui.get_runner_params().docking_params
+    if imgui.begin_menu("Panels"):
+        for window in docking.dockable_windows:
+            if window.include_in_view_menu:
+                _, window.is_visible = imgui.menu_item(window.label.split("###")[0], "", window.is_visible)
+        imgui.separator()
+        if imgui.menu_item_simple("Put all back"):
+            docking.layout_reset = True
+        imgui.end_menu()
+
+
+def help_rows() -> None:
+    """Every shortcut, and what the mouse does, in two columns."""
+    with theme.bold():
+        imgui.text_unformatted("Mouse in the viewport")
+    rows = [*CAMERA_HELP, *((" or ".join(a.keys), a.title) for a in ACTIONS.values() if a.keys)]
+    if imgui.begin_table("###help", 2, imgui.TableFlags_.sizing_fixed_fit):
+        for number, (left, right) in enumerate(rows):
+            if number == len(CAMERA_HELP):
+                imgui.table_next_row(imgui.TableRowFlags_.none, 10)
+            imgui.table_next_row()
+            imgui.table_next_column()
+            imgui.text_colored(theme.colour((0.42, 0.86, 0.84)), left)
+            imgui.table_next_column()
+            imgui.text_unformatted(right)
+        imgui.end_table()

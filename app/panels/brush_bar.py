@@ -1,0 +1,82 @@
+"""The brushes: a bar of buttons in table order (keys 1 … 9), and the parameters of the one in hand."""
+
+from __future__ import annotations
+
+from imgui_bundle import imgui
+
+from ...brushes import BRUSHES
+from ...level.params import describe
+from .. import param_widgets, theme
+from ..editor import Editor
+
+TILE_PX = 56
+# Profiles of the ground in a unit square, y up: what each brush makes of it. A brush without one shows a circle.
+PROFILES: dict[str, tuple[tuple[float, float], ...]] = {
+    "raise": ((0, 0.2), (0.22, 0.22), (0.38, 0.62), (0.5, 0.78), (0.62, 0.62), (0.78, 0.22), (1, 0.2)),
+    "lower": ((0, 0.75), (0.22, 0.73), (0.38, 0.35), (0.5, 0.2), (0.62, 0.35), (0.78, 0.73), (1, 0.75)),
+    "smooth": ((0, 0.45), (0.1, 0.8), (0.22, 0.25), (0.36, 0.6), (0.55, 0.5), (0.75, 0.44), (1, 0.42)),
+    "flatten": ((0, 0.25), (0.16, 0.3), (0.26, 0.55), (0.74, 0.55), (0.84, 0.3), (1, 0.25)),
+    "ramp": ((0, 0.2), (0.22, 0.2), (0.78, 0.78), (1, 0.78)),
+}
+
+
+def draw(editor: Editor) -> None:
+    """The bar; as many columns as fit."""
+    columns = max(int((imgui.get_content_region_avail().x + 4) // (TILE_PX + 4)), 1)
+    for number, name in enumerate(BRUSHES):
+        if number % columns:
+            imgui.same_line(0, 4)
+        _tile(editor, name, number + 1)
+
+
+def _tile(editor: Editor, name: str, number: int) -> None:
+    session, brush = editor.session, BRUSHES[name]
+    chosen = session.brush == name
+    corner = imgui.get_cursor_screen_pos()
+    width = min(imgui.get_content_region_avail().x, TILE_PX)
+    if chosen:
+        imgui.push_style_color(imgui.Col_.button, theme.colour(theme.ACCENT_DEEP))
+    if imgui.button(f"###{name}", imgui.ImVec2(width, TILE_PX)):
+        editor.attempt(session.pick_brush, name)
+    if chosen:
+        imgui.pop_style_color()
+    key = f"   key {number}" if number <= 9 else ""
+    param_widgets.tooltip(f"{brush.label}{key}\n{brush.doc}\nShift smooths with any brush.")
+    _profile(name, corner, width, theme.INK if chosen else theme.INK_FAINT)
+    draw_list = imgui.get_window_draw_list()
+    size = imgui.calc_text_size(brush.label)
+    under = imgui.ImVec2(corner.x + (width - size.x) / 2, corner.y + TILE_PX - size.y - 4)
+    draw_list.add_text(under, theme.packed(theme.INK if chosen else theme.INK_FAINT), brush.label)
+    if number <= 9:
+        draw_list.add_text(imgui.ImVec2(corner.x + 5, corner.y + 3), theme.packed(theme.INK, 0.35), str(number))
+
+
+def _profile(name: str, corner, width: float, ink: tuple) -> None:
+    draw_list = imgui.get_window_draw_list()
+    left, top, wide, high = corner.x + 13, corner.y + 9, width - 26, TILE_PX - 36
+    points = PROFILES.get(name)
+    if points is None:
+        draw_list.add_circle(imgui.ImVec2(left + wide / 2, top + high / 2), high / 2, theme.packed(ink), 0, 1.6)
+        return
+    line = [imgui.ImVec2(left + x * wide, top + (1 - y) * high) for x, y in points]
+    floor = [imgui.ImVec2(line[-1].x, top + high), imgui.ImVec2(line[0].x, top + high)]
+    draw_list.add_concave_poly_filled(line + floor, theme.packed(theme.ACCENT, 0.30))
+    draw_list.add_polyline(line, theme.packed(ink), 1.8, 0)
+
+
+def draw_parameters(editor: Editor) -> None:
+    """A widget for every parameter of the brush in hand."""
+    session = editor.session
+    brush, params = BRUSHES[session.brush], session.params[session.brush]
+    with theme.bold():
+        imgui.text_unformatted(brush.label)
+    imgui.push_style_color(imgui.Col_.text, theme.colour(theme.INK_FAINT))
+    imgui.text_wrapped(brush.doc)
+    imgui.pop_style_color()
+    imgui.spacing()
+    param_widgets.draw_all(
+        describe(type(params)),
+        lambda name: getattr(params, name),
+        lambda name, value, merge: editor.attempt(session.set_param, name, value),
+        lambda: None,
+    )

@@ -1,0 +1,75 @@
+"""All settings of the level, made from the declared parameters: a header a section, a widget a row, a filter on top."""
+
+from __future__ import annotations
+
+from functools import cache
+
+from imgui_bundle import imgui
+
+from ...level import Settings
+from ...level.params import Param, describe, get
+from .. import param_widgets
+from ..editor import Editor
+
+OPEN = ("shore", "sea")
+ORDER = ("shore", "sea", "water", "light", "fog", "ground", "walk", "time", "level")  # what is turned most comes first
+TITLES = {"sea": "Open sea", "shore": "Shore waves", "water": "Water colour", "fog": "Haze", "walk": "Walkable",
+          "level": "Sea level and seed"}  # fmt: skip
+_filter = {"text": ""}
+
+
+@cache
+def sections() -> dict[str, list[Param]]:
+    """Parameter rows by section, with dotted names, most turned first."""
+    rows: dict[str, list[Param]] = {}
+    for row in describe(Settings):
+        rows.setdefault(row.name.partition(".")[0], []).append(row)
+    return {name: rows[name] for name in sorted(rows, key=lambda n: ORDER.index(n) if n in ORDER else len(ORDER))}
+
+
+def matches(row: Param, text: str) -> bool:
+    """Whether every word of a filter is in a row's name, section title or sentence."""
+    section = row.name.partition(".")[0]
+    place = f"{row.name} {TITLES.get(section, section)} {row.doc}".replace("_", " ").lower()
+    return all(word in place for word in text.lower().replace("_", " ").split())
+
+
+def draw(editor: Editor) -> None:
+    imgui.set_next_item_width(-imgui.FLT_MIN)
+    _, _filter["text"] = imgui.input_text_with_hint("###filter", "Find a setting", _filter["text"])
+    imgui.spacing()
+    if imgui.begin_child("###rows", imgui.ImVec2(0, 0)):
+        for name, rows in sections().items():
+            shown = [row for row in rows if matches(row, _filter["text"])]
+            if shown:
+                _section(editor, name, shown)
+    imgui.end_child()
+
+
+def _section(editor: Editor, name: str, rows: list[Param]) -> None:
+    settings = editor.session.level.settings
+    switch = next((row for row in rows if row.name == f"{name}.on"), None)
+    if _filter["text"]:
+        imgui.set_next_item_open(True)
+    flags = imgui.TreeNodeFlags_.default_open if name in OPEN else imgui.TreeNodeFlags_.none
+    flags |= imgui.TreeNodeFlags_.allow_overlap
+    title = TITLES.get(name, name.capitalize())
+    opened = imgui.collapsing_header(f"{title}###section_{name}", flags)
+    section = type(getattr(settings, name))
+    param_widgets.tooltip((section.__doc__ or "").strip() if section.__doc__ != type(settings).__doc__ else "")
+    if switch:
+        imgui.same_line(imgui.get_cursor_start_pos().x + imgui.get_content_region_avail().x - imgui.get_frame_height())
+        changed, on = imgui.checkbox(f"###switch_{name}", get(settings, switch.name))
+        param_widgets.tooltip(switch.doc)
+        if changed:
+            editor.set(switch.name, on)
+    if opened:
+        imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(7, 4))
+        param_widgets.draw_all(
+            [row for row in rows if row is not switch],
+            lambda path: get(settings, path),
+            lambda path, value, merge: editor.set(path, value, merge),
+            editor.session.seal,
+        )
+        imgui.pop_style_var()
+        imgui.spacing()

@@ -1,0 +1,155 @@
+"""The level drawn into a texture for the viewport: redrawn only when something changed, smaller while it moves."""
+
+from __future__ import annotations
+
+import logging
+import time
+from dataclasses import dataclass
+from typing import Any
+
+from ..level import LAYERS
+from .editor import Editor
+from .governor import Governor
+
+log = logging.getLogger(__name__)
+SETTLE_S = 0.22  # a still picture is drawn at full size after this long without a change
+STILL_STEP = 2.0  # it grows by this much a time, so that something sharper is seen soon
+LONGEST_STILL_S = 4.0  # and no larger than what should take this long
+RETRY_S = 3.0  # after a failure
+
+
+@dataclass
+class Drawn:
+    """What the texture shows."""
+
+    key: Any
+    size: tuple[int, int]
+    seconds: float  # what drawing it cost
+
+
+class Picture:
+    """Owns the renderer of a window's OpenGL context; the renderer is thrown away and made again when it fails."""
+
+    def __init__(self, ctx, target_fps: float = 30.0) -> None:
+        self.ctx = ctx
+        self.governor = Governor(target_fps)
+        self.renderer = None
+        self.texture = None
+        self.drawn: Drawn | None = None
+        self.failure = ""
+        self.draws = 0
+        self._failed_at = -1e9
+        self._changed_at = 0.0
+        self._unfinished = False
+
+    def show(self, editor: Editor, size: tuple[int, int]) -> Any:
+        """The texture for a viewport of `size` pixels (its first row at the bottom), None before the first success."""
+        now = time.monotonic()
+        key = self._key(editor, size)
+        if self.drawn is None or self.drawn.key != key:
+            self._changed_at = now
+            self._draw(editor, key, self._scaled(size, self.governor.scale), moving=True)
+        elif self.drawn.size != size and now - self._changed_at > SETTLE_S and not editor.live:
+            still = self._sharper(size)
+            if still:
+                self._draw(editor, key, still, moving=False)
+        return self.texture
+
+    @property
+    def waiting(self) -> bool:
+        """Whether a sharper picture is due although nothing changes."""
+        return self.drawn is not None and (self._changed_at + SETTLE_S * 2 > time.monotonic() or self._unfinished)
+
+    @staticmethod
+    def _scaled(size: tuple[int, int], scale: float) -> tuple[int, int]:
+        return max(int(size[0] * scale), 16), max(int(size[1] * scale), 16)
+
+    def _key(self, editor: Editor, size: tuple[int, int]) -> Any:
+        session = editor.session
+        level = session.level
+        looks = (session.camera, session.view, session.show, editor.overlays, editor.quality)
+        return (id(level), level.revision, session.clock.time_s, looks, size)
+
+    def _sharper(self, size: tuple[int, int]) -> tuple[int, int] | None:
+        """The next larger size for a picture that stands still; None when this computer would take too long over it."""
+        scale = min(STILL_STEP * self.drawn.size[0] / size[0], 1.0)
+        growth = (scale * size[0] / self.drawn.size[0]) ** 2
+        self._unfinished = self.drawn.seconds * growth <= LONGEST_STILL_S
+        return self._scaled(size, scale if scale < 0.9 else 1.0) if self._unfinished else None
+
+    def _draw(self, editor: Editor, key: Any, size: tuple[int, int], moving: bool) -> None:
+        if self.failure and time.monotonic() - self._failed_at < RETRY_S:
+            return
+        session = editor.session
+        start = time.perf_counter()
+        try:
+            self.texture = self._renderer().draw(
+                session.level, session.camera, size, session.clock.time_s, session.view,
+                show=session.show, quality=editor.quality, overlays=editor.overlays,
+            )  # fmt: skip
+            self.ctx.finish()
+        except Exception as error:
+            self._fail(error)
+            return
+        finally:
+            self.ctx.screen.use()  # imgui draws into whatever is bound
+        self.failure = ""
+        seconds = time.perf_counter() - start
+        if moving:
+            self._note(size, seconds)
+        smooth = self.ctx.LINEAR if size != self._pixels(key) else self.ctx.NEAREST
+        self.texture.filter = smooth, smooth
+        self.drawn = Drawn(key, size, seconds)
+        self._unfinished = size != self._pixels(key)
+        self.draws += 1
+
+    def _note(self, size: tuple[int, int], seconds: float) -> None:
+        # The first frame of a size also makes its targets and programs: it says nothing about the next.
+        if self.drawn is not None and self.drawn.size == size:
+            self.governor.note(seconds)
+
+    @staticmethod
+    def _pixels(key: Any) -> tuple[int, int]:
+        return key[-1]
+
+    def _renderer(self):
+        if self.renderer is None:
+            from ..renderer import Renderer
+
+            self.renderer = Renderer(self.ctx)
+        return self.renderer
+
+    def _fail(self, error: Exception) -> None:
+        """Keep the last picture, throw the renderer away, try again later: the level isn't in it."""
+        text = f"{type(error).__name__}: {error}".partition("\n")[0]
+        if text != self.failure:
+            log.error("the picture could not be drawn: %s", text, exc_info=error)
+        self.failure, self._failed_at = text, time.monotonic()
+        self.drawn = self.texture = None
+        self.release()
+
+    def gpu_bytes(self) -> dict[str, int]:
+        """Bytes of textures by layer name, and `other` for maps and targets."""
+        held = {"other": 0}
+        if self.renderer is None:
+            return held
+        targets = [t for owner in self.renderer.targets.values() for t in owner.textures.values()]
+        for name, texture in [*self.renderer.uploader.textures.items(), *(("", t) for t in targets)]:
+            layer = "height" if name == "u_height" else name.removeprefix("u_layer_")
+            layer = layer if layer in LAYERS else "other"
+            held[layer] = held.get(layer, 0) + _texture_bytes(texture)
+        return held
+
+    def release(self) -> None:
+        """Give back what the GPU holds."""
+        renderer, self.renderer = self.renderer, None
+        if renderer is not None:
+            try:
+                renderer.release()
+            except Exception as error:
+                log.info("releasing the renderer: %s", error)
+
+
+def _texture_bytes(texture) -> int:
+    sample = {"f1": 1, "f2": 2, "f4": 4}.get(texture.dtype, 4)
+    return texture.width * texture.height * getattr(texture, "components", 1) * sample

@@ -1,0 +1,59 @@
+"""The status bar: what is under the pointer, frames a second and the scale they are drawn at, memory."""
+
+from __future__ import annotations
+
+import time
+
+from imgui_bundle import imgui
+
+from . import theme
+from .editor import Editor
+from .panels.history_panel import bytes_text
+from .picture import Picture
+from .probe import sentence
+
+_memory = {"at": -1e9, "bytes": 0}
+
+
+def draw(editor: Editor, picture: Picture | None) -> None:
+    probe = editor.probe()
+    imgui.text_unformatted(sentence(probe) if probe else "Point at the ground to read it")
+    right = f"{_speed(editor, picture)}      memory {bytes_text(resident_bytes())}"
+    width = imgui.calc_text_size(right).x
+    imgui.same_line(max(imgui.get_window_width() - width - 14, 0))
+    imgui.text_colored(theme.colour(theme.INK_FAINT), right)
+
+
+def _speed(editor: Editor, picture: Picture | None) -> str:
+    if picture is None or picture.drawn is None:
+        return ""
+    width, height = picture.drawn.size
+    cost = picture.governor.frame_s
+    if not editor.live:
+        return f"{width} × {height}   still"
+    return f"{width} × {height}   {cost * 1000:.0f} ms   {imgui.get_io().framerate:.0f} fps"
+
+
+def resident_bytes() -> int:
+    """Memory of this process, looked up once a second; 0 where the system doesn't say."""
+    if time.monotonic() - _memory["at"] > 1.0:
+        _memory.update(at=time.monotonic(), bytes=_resident())
+    return _memory["bytes"]
+
+
+def _resident() -> int:
+    try:
+        with open("/proc/self/statm") as file:
+            return int(file.read().split()[1]) * 4096
+    except (OSError, ValueError, IndexError):
+        return _peak()
+
+
+def _peak() -> int:
+    try:
+        import resource
+        import sys
+    except ImportError:
+        return 0
+    used = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return used if sys.platform == "darwin" else used * 1024

@@ -1,0 +1,155 @@
+"""The timeline: run or pause, one step, scrub, rate, loop; ticks stand where a wave leaves the outer edge (T05)."""
+
+from __future__ import annotations
+
+import math
+
+from imgui_bundle import imgui
+
+from . import theme
+from .editor import Editor
+from .param_widgets import slider, tooltip
+
+PAGE_S = 60.0  # without a loop the bar shows the page of this length that time is on
+BAR_PX = 24
+
+
+def span(time_s: float, loop: tuple[float, float] | None) -> tuple[float, float]:
+    """What the bar shows: the loop while time is in it, else a page."""
+    if loop and loop[1] > loop[0] and loop[0] <= time_s <= loop[1]:
+        return loop
+    start = math.floor(time_s / PAGE_S) * PAGE_S
+    return start, start + PAGE_S
+
+
+def clock_text(time_s: float) -> str:
+    """Minutes, seconds and hundredths."""
+    minutes, seconds = divmod(round(time_s * 100) / 100, 60)
+    return f"{int(minutes)}:{seconds:05.2f}"
+
+
+class Timeline:
+    """Draws itself into the current imgui window."""
+
+    def __init__(self, editor: Editor) -> None:
+        self.editor = editor
+        self._ran = False  # time ran before the scrubbing began
+
+    def draw(self) -> None:
+        clock = self.editor.session.clock
+        self._transport()
+        imgui.same_line(0, 14)
+        imgui.align_text_to_frame_padding()
+        with theme.bold():
+            imgui.text_colored(theme.colour(theme.WARM if clock.paused else theme.INK), clock_text(clock.time_s))
+        tooltip("Time of the world. Everything that moves is a function of it.")
+        rest = 250
+        imgui.same_line(imgui.get_cursor_start_pos().x + 220)
+        self._bar(max(imgui.get_content_region_avail().x - rest, 60))
+        imgui.same_line(0, 12)
+        self._rate()
+        imgui.same_line(0, 10)
+        self._loop()
+
+    def _transport(self) -> None:
+        session = self.editor.session
+        rows = (
+            ("backward_step", "step_back", "Back", "One step back ( , )"),
+            ("play" if session.clock.paused else "pause", "pause", "Run", "Run or pause (Space)"),
+            ("forward_step", "step", "Step", "One step on ( . )"),
+        )
+        for number, (glyph, action, word, doc) in enumerate(rows):
+            if number:
+                imgui.same_line(0, 4)
+            lit = action == "pause" and session.clock.paused
+            if lit:
+                imgui.push_style_color(imgui.Col_.button, theme.colour(theme.ACCENT_DEEP))
+            wide = imgui.ImVec2(54 if action == "pause" else 38, 0)
+            if imgui.button(f"{theme.icon(glyph) or word}###time_{action}", wide):
+                self.editor.do(action)
+            if lit:
+                imgui.pop_style_color()
+            tooltip(doc)
+
+    def _bar(self, width: float) -> None:
+        session = self.editor.session
+        clock = session.clock
+        first, last = span(clock.time_s, clock.loop)
+        corner = imgui.get_cursor_screen_pos()
+        imgui.invisible_button("###scrub", imgui.ImVec2(width, BAR_PX))
+        if imgui.is_item_activated():
+            self._ran = not clock.paused
+            clock.paused = True
+        if imgui.is_item_active():
+            part = min(max((imgui.get_mouse_pos().x - corner.x) / width, 0), 1)
+            session.scrub(first + part * (last - first))
+        if imgui.is_item_deactivated():
+            clock.paused = not self._ran
+        self._paint(corner, width, first, last, imgui.is_item_hovered())
+        tooltip("Drag to scrub. A tick for every wave that sets out.")
+
+    def _paint(self, corner, width: float, first: float, last: float, hovered: bool) -> None:
+        clock = self.editor.session.clock
+        draw_list = imgui.get_window_draw_list()
+        low = imgui.ImVec2(corner.x, corner.y + 2)
+        high = imgui.ImVec2(corner.x + width, corner.y + BAR_PX)
+        draw_list.add_rect_filled(low, high, theme.packed(theme.FIELD_HOVER if hovered else theme.FIELD), 4)
+
+        def place(time_s: float) -> float:
+            return corner.x + (time_s - first) / (last - first) * width
+
+        now = min(max(place(clock.time_s), low.x), high.x)
+        done = imgui.ImVec2(now, high.y)
+        draw_list.add_rect_filled(low, done, theme.packed(theme.ACCENT_DEEP, 0.75), 4)
+        for time_s in self._waves(first, last):
+            x = place(time_s)
+            draw_list.add_line(
+                imgui.ImVec2(x, high.y - 8), imgui.ImVec2(x, high.y - 1), theme.packed(theme.INK, 0.35), 1.5
+            )
+        draw_list.add_line(imgui.ImVec2(now, low.y - 2), imgui.ImVec2(now, high.y + 2), theme.packed(theme.INK), 2)
+        for time_s, right in ((first, False), (last, True)):
+            text = f"{time_s:g}"
+            size = imgui.calc_text_size(text)
+            x = high.x - size.x - 6 if right else low.x + 6
+            draw_list.add_text(imgui.ImVec2(x, low.y + 2), theme.packed(theme.INK, 0.45), text)
+
+    def _waves(self, first: float, last: float) -> list[float]:
+        """Moments in the bar at which a wave sets out, at most a hundred."""
+        interval = self.editor.session.level.settings.shore.interval_s
+        if (last - first) / interval > 100:
+            return []
+        count = math.ceil(first / interval)
+        return [k * interval for k in range(count, math.floor(last / interval) + 1)]
+
+    def _rate(self) -> None:
+        session = self.editor.session
+        imgui.set_next_item_width(110)
+        rate = session.level.settings.time.rate
+        changed, new = slider("###rate", rate, 0.0, 4.0, "speed %.2f×")
+        if imgui.is_item_clicked(imgui.MouseButton_.right):
+            changed, new = True, 1.0
+        if changed:
+            self.editor.set("time.rate", min(max(new, -8.0), 8.0), merge=True)
+        if imgui.is_item_deactivated():
+            session.seal()
+        tooltip("Speed of time; right click for 1×, Ctrl+click types a value, negative runs backwards.")
+
+    def _loop(self) -> None:
+        clock = self.editor.session.clock
+        on = clock.loop is not None
+        if on:
+            imgui.push_style_color(imgui.Col_.button, theme.colour(theme.ACCENT_DEEP))
+        clicked = imgui.button(theme.titled("repeat", "Loop", "loop"))
+        if on:
+            imgui.pop_style_color()
+        tooltip("Loop over one wave's whole way from here on. Settings, section Time, hold start and end.")
+        if clicked:
+            self._toggle_loop(on)
+
+    def _toggle_loop(self, on: bool) -> None:
+        session = self.editor.session
+        shore = session.level.settings.shore
+        start = 0.0 if on else round(session.clock.time_s, 2)
+        end = 0.0 if on else start + shore.interval_s * shore.count
+        for name, value in (("time.loop_start_s", start), ("time.loop_end_s", end)):
+            self.editor.set(name, value)

@@ -1,0 +1,131 @@
+"""What is drawn over the picture in the viewport: brush ring, ramp preview, texts, the passing message."""
+
+from __future__ import annotations
+
+import numpy as np
+from imgui_bundle import imgui
+
+from . import theme
+from .brush_ring import ScreenLine, along, circle, on_screen
+from .editor import Editor
+from .probe import speed
+
+HIDDEN_ALPHA = 0.22
+SHADE = (0.03, 0.04, 0.05)
+
+
+class Overlay:
+    """Draws into a draw list whose viewport starts at `origin` with `size` pixels."""
+
+    def __init__(self, editor: Editor, draw_list, origin: imgui.ImVec2, size: tuple[int, int]) -> None:
+        self.editor = editor
+        self.draw_list = draw_list
+        self.origin = np.array([origin.x, origin.y])
+        self.size = size
+
+    def line(self, points: np.ndarray, ink: tuple, alpha: float, width: float) -> None:
+        """World points (n, 3) as a line with a dark rim, faint where land hides it."""
+        session = self.editor.session
+        shown = on_screen(session.level, session.camera, self.size, points)
+        self._pieces(shown, SHADE, alpha * 0.5, width + 2)
+        self._pieces(shown, ink, alpha, width)
+
+    def _pieces(self, line: ScreenLine, ink: tuple, alpha: float, width: float) -> None:
+        for hidden, factor in ((False, 1.0), (True, HIDDEN_ALPHA)):
+            packed = theme.packed(ink, alpha * factor)
+            for first, last in _runs(line.drawn & (line.hidden == hidden)):
+                points = [imgui.ImVec2(*(p + self.origin)) for p in line.points[first : last + 1]]
+                self.draw_list.add_polyline(points, packed, width, 0)
+
+    # The brush
+
+    def ring(self, point: tuple[float, float, float], invert: bool, smooth: bool) -> None:
+        """Outer and inner circle of the brush in hand and its fall-off between them."""
+        session = self.editor.session
+        params = session.params[session.brush]
+        size_m, inner_m = params.size_m, getattr(params, "inner_m", 0.0)
+        ink = theme.BLUE if smooth else theme.WARM if invert else theme.INK
+        self.line(circle(session.level, point[0], point[1], size_m), ink, 0.95, 1.8)
+        if size_m * 0.04 < inner_m < size_m * 0.96:
+            self.line(circle(session.level, point[0], point[1], inner_m), ink, 0.55, 1.1)
+        for part in (1 / 3, 2 / 3):
+            radius_m = size_m + (inner_m - size_m) * part
+            self.line(circle(session.level, point[0], point[1], radius_m), ink, 0.12 + 0.14 * part, 1)
+
+    def ramp(self, preview: dict) -> None:
+        """The ramp being dragged: middle line, edges, and beside the pointer its grade and front speed (D31)."""
+        session = self.editor.session
+        start, end = np.array(preview["start"][:2], float), np.array(preview["end"][:2], float)
+        way = end - start
+        length = float(np.hypot(*way))
+        self.line(circle(session.level, *start, session.params[session.brush].size_m * 0.08, 20), theme.INK, 1, 2)
+        if length > 1e-6:
+            side = np.array([-way[1], way[0]]) / length * session.params[session.brush].size_m
+            self.line(along(session.level, start, end), theme.INK, 1.0, 2.4)
+            for edge in (side, -side):
+                self.line(along(session.level, start + edge, end + edge), theme.WARM, 0.9, 1.4)
+        self.beside_pointer(ramp_text(preview))
+
+    def beside_pointer(self, lines: list[str]) -> None:
+        """A small text plate near the pointer that stays inside the viewport."""
+        lines = [text for text in lines if text]
+        if not lines:
+            return
+        sizes = [imgui.calc_text_size(text) for text in lines]
+        width, height = max(s.x for s in sizes) + 16, sum(s.y for s in sizes) + 12 + 2 * (len(lines) - 1)
+        mouse = imgui.get_mouse_pos()
+        corner = np.array([mouse.x + 20, mouse.y + 18])
+        corner = np.minimum(corner, self.origin + self.size - (width + 6, height + 6))
+        self.plate(corner, (width, height), 0.82)
+        y = corner[1] + 6
+        for number, (text, size) in enumerate(zip(lines, sizes, strict=True)):
+            ink = (theme.INK, theme.WARM)[number] if number < 2 else theme.INK_FAINT
+            self.draw_list.add_text(imgui.ImVec2(corner[0] + 8, y), theme.packed(ink), text)
+            y += size.y + 2
+
+    def plate(self, corner, size, alpha: float = 0.75) -> None:
+        low, high = imgui.ImVec2(*corner), imgui.ImVec2(corner[0] + size[0], corner[1] + size[1])
+        self.draw_list.add_rect_filled(low, high, theme.packed(SHADE, alpha), 5)
+
+    # Telling
+
+    def toast(self) -> None:
+        """The last message, low in the middle, while it is fresh."""
+        line = self.editor.messages.toast()
+        if line is None:
+            return
+        text = line.text if len(line.text) < 160 else line.text[:157] + "…"
+        wrap = min(self.size[0] - 60, 620)
+        size = imgui.calc_text_size(text, wrap_width=wrap)
+        width, height = size.x + 24, size.y + 14
+        corner = self.origin + np.array([(self.size[0] - width) / 2, self.size[1] - height - 18])
+        self.plate(corner, (width, height), 0.85)
+        ink = theme.WARM if line.bad else theme.INK
+        where = imgui.ImVec2(corner[0] + 12, corner[1] + 7)
+        self.draw_list.add_text(imgui.get_font(), imgui.get_font_size(), where, theme.packed(ink), text, wrap)
+
+    def corner_text(self, text: str, ink: tuple = theme.INK_FAINT) -> None:
+        """A word in the upper right corner."""
+        size = imgui.calc_text_size(text)
+        corner = self.origin + np.array([self.size[0] - size.x - 26, 10])
+        self.plate(corner, (size.x + 16, size.y + 8), 0.55)
+        self.draw_list.add_text(imgui.ImVec2(corner[0] + 8, corner[1] + 4), theme.packed(ink), text)
+
+
+def ramp_text(preview: dict) -> list[str]:
+    """Grade as ratio and angle, front speed, heights and length."""
+    slope, (first_m, last_m) = abs(preview["grade"]), preview["heights"]
+    ratio = f"1 : {1 / slope:.1f}" if slope > 1e-3 else "level"
+    front = preview.get("front_speed_mps")
+    told = f"wave front {speed(front)}" if front is not None else "too flat to hold a wave"
+    return [
+        f"{ratio}   {preview['slope_deg']:.1f}°",
+        told,
+        f"{first_m:.2f} m to {last_m:.2f} m over {preview['length_m']:.1f} m",
+    ]
+
+
+def _runs(wanted: np.ndarray) -> list[tuple[int, int]]:
+    """(first, last) point indices of every unbroken run of wanted pieces."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], wanted.astype(np.int8), [0]])))
+    return list(zip(edges[::2], edges[1::2]))

@@ -1,0 +1,166 @@
+"""The pointer in the viewport: strokes with the left button, camera with the others.
+
+Left: brush (Ctrl inverts, Shift smooths). Alt+left or middle: orbit. Shift+middle or Alt+middle: pan. Alt+right: dolly.
+Right held: look round and fly with W A S D Q E, Shift faster; the wheel then sets the speed, else it zooms to the
+pointer.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from imgui_bundle import imgui
+
+from ..level.pick import pick_ray
+from ..renderer.camera import camera_matrices
+from . import camera_control as control
+from .editor import Editor
+
+LEFT, RIGHT, MIDDLE = 0, 1, 2
+FLY = {name: getattr(imgui.Key, name) for name in control.FLY_KEYS}
+FASTER = 4.0
+
+
+class Pointer:
+    """What the pressed buttons mean until released; `mode` is "", stroke, orbit, pan, dolly, fly or dead."""
+
+    def __init__(self, editor: Editor) -> None:
+        self.editor = editor
+        self.mode = ""
+        self.button = LEFT
+        self.fly_factor = 1.0
+        self._pivot: np.ndarray | None = None
+        self._picked: tuple = (None, None)
+
+    # Once a frame
+
+    def update(self, origin: imgui.ImVec2, size: tuple[int, int], hovered: bool) -> None:
+        """Take in a frame's mouse; `origin` is the viewport's corner, `size` its pixels."""
+        io, mouse = imgui.get_io(), imgui.get_mouse_pos()
+        where = (mouse.x - origin.x, mouse.y - origin.y)
+        valid = imgui.is_mouse_pos_valid()
+        if (hovered or self.mode) and valid:
+            self.editor.session.cursor = self._pick(where, size)
+        elif not self.mode:
+            self.editor.session.cursor = None
+        if not self.mode and hovered and valid:
+            self._press(io, where, size)
+            if io.mouse_wheel and not self.mode:
+                self._zoom(where, size, io.mouse_wheel)
+        if self.mode:
+            self._drag(io, where, size)
+            if not imgui.is_mouse_down(self.button):
+                self._release()
+        self.editor.flying = self.mode == "fly"
+
+    def _press(self, io, where, size) -> None:
+        pressed = [button for button in (LEFT, RIGHT, MIDDLE) if imgui.is_mouse_clicked(button)]
+        if not pressed:
+            return
+        self.button = pressed[0]
+        alt = io.key_alt
+        if self.button == LEFT:
+            self.mode = "orbit" if alt else "stroke"
+        elif self.button == MIDDLE:
+            self.mode = "pan" if io.key_shift or alt else "orbit"
+        else:
+            self.mode = "dolly" if alt else "fly"
+        session = self.editor.session
+        if self.mode == "stroke":
+            self._begin_stroke(io)
+        else:
+            self._pivot = control.pivot_ahead(session.level, session.camera, session.cursor)
+
+    def _release(self) -> None:
+        if self.mode == "stroke":
+            self.editor.attempt(self.editor.session.stroke_end)
+        self.mode = ""
+
+    # Strokes
+
+    def _begin_stroke(self, io) -> None:
+        session = self.editor.session
+        if session.cursor is None:
+            self.mode = "dead"
+            return
+        x, y, _ = session.cursor
+        done = self.editor.attempt(session.stroke_begin, x, y, 1.0, io.key_ctrl, io.key_shift)
+        if done is None:
+            self.mode = "dead"
+
+    def _move_stroke(self) -> None:
+        session = self.editor.session
+        if session.stroke is None or not session.stroke.open:
+            self.mode = "dead"  # Esc or an undo ended it: nothing until the button is let go
+            session.stroke_abort()
+        elif session.cursor is not None:
+            x, y, _ = session.cursor
+            last = session.stroke.samples[-1] if session.stroke.samples else None
+            if last is None or (last.x, last.y) != (x, y):
+                self.editor.attempt(session.stroke_move, x, y)
+
+    # Camera
+
+    def _drag(self, io, where, size) -> None:
+        if self.mode == "stroke":
+            self._move_stroke()
+            return
+        delta = io.mouse_delta
+        camera, level = self.editor.session.camera, self.editor.session.level
+        if self.mode == "fly":
+            camera = self._fly(io, camera, delta)
+        elif not (delta.x or delta.y):
+            return
+        elif self.mode == "orbit":
+            camera = control.orbit(camera, self._pivot, delta.x, delta.y)
+        elif self.mode == "pan":
+            camera = control.pan(camera, self._pivot, delta.x, delta.y, size)
+        elif self.mode == "dolly":
+            camera = control.zoom(camera, self._pivot, (delta.x - delta.y) * 0.05)
+        if camera is not self.editor.session.camera:
+            self.editor.move_camera(control.above_ground(level, camera))
+
+    def _fly(self, io, camera, delta):
+        if delta.x or delta.y:
+            camera = control.turn(camera, delta.x, delta.y)
+        if io.mouse_wheel:
+            self.fly_factor = min(max(self.fly_factor * 1.2**io.mouse_wheel, 0.05), 40.0)
+        level = self.editor.session.level
+        speed = control.fly_speed_mps(level, camera) * self.fly_factor * (FASTER if io.key_shift else 1.0)
+        held = {name for name, key in FLY.items() if imgui.is_key_down(key)}
+        return control.fly(camera, held, min(io.delta_time, 0.1), speed)
+
+    def _zoom(self, where, size, notches: float) -> None:
+        session = self.editor.session
+        point = session.cursor
+        if point is None:
+            ray = camera_matrices(session.camera, size).ray(*where, size)
+            point = control.place(session.camera) + ray * max(session.level.grid.extent_m) * 0.25
+        camera = control.zoom(session.camera, point, notches)
+        self.editor.move_camera(control.above_ground(session.level, camera))
+
+    # Picking
+
+    def _pick(self, where, size) -> tuple[float, float, float] | None:
+        """The ground under a pixel; while a stroke runs past the border, the plane it left off at goes on."""
+        session = self.editor.session
+        key = (where, size, session.camera, id(session.level), session.level.layer_revision("height"))
+        if self._picked[0] == key:
+            return self._picked[1]
+        matrices = camera_matrices(session.camera, size)
+        ray = matrices.ray(*where, size)
+        point = pick_ray(session.level, matrices.position, ray)
+        if point is None and self.mode == "stroke" and session.cursor is not None:
+            point = _on_plane(matrices.position, ray, session.cursor[2]) or session.cursor
+        self._picked = key, point
+        return point
+
+
+def _on_plane(origin: np.ndarray, ray: np.ndarray, height_m: float) -> tuple[float, float, float] | None:
+    """Where a ray meets a level plane before it, not absurdly far away."""
+    if abs(ray[2]) < 1e-3:
+        return None
+    distance = (height_m - origin[2]) / ray[2]
+    if not 0 < distance < 50_000:
+        return None
+    x, y, z = origin + ray * distance
+    return float(x), float(y), float(z)
