@@ -76,14 +76,14 @@ class Light(Section):
     sun_azimuth_deg: float = param(235.0, 0, 360, "°", "Where the sun stands, clockwise from north.")
     sun_elevation_deg: float = param(38.0, -20, 90, "°", "How high the sun stands.", soft=(2, 80))
     turbidity: float = param(2.6, 1, 10, "", "Haze in the air.", soft=(1.5, 8))
-    exposure_ev: float = param(14.2, -4, 22, "EV100", "Exposure.", soft=(8, 17))
+    exposure_ev: float = param(13.8, -4, 22, "EV100", "Exposure.", soft=(8, 17))
     display: Literal["agx", "aces", "neutral", "raw"] = param("agx", doc="Transform from scene light to the display.")
     shadows: bool = param(True, doc="The sun casts shadows of the land.")
 
 
 class Fog(Section):
     on: bool = param(True, doc="Haze over distance, on land and water alike (D38).")
-    density: float = param(0.00022, 0, 0.2, "1/m", "Extinction of the haze at sea level.", soft=(0, 0.004))
+    density: float = param(0.0001, 0, 0.2, "1/m", "Extinction of the haze at sea level.", soft=(0, 0.004))
     height_m: float = param(350.0, 1, 20_000, "m", "Height over which the haze thins to 1/e.", soft=(20, 2000))
 
 

@@ -29,6 +29,8 @@ class Textures:
             "u_ripple": _tiling(ctx, ripple_texture().astype(np.float16)),
             "u_ground": _array(ctx, ground_texture()),
         }
+        # tints need no blend between mip levels, which in software costs a second fetch
+        self._by_name["u_noise"].filter = moderngl.LINEAR_MIPMAP_NEAREST, moderngl.LINEAR
 
     def __getitem__(self, sampler: str) -> moderngl.Texture | moderngl.TextureArray:
         return self._by_name[sampler]

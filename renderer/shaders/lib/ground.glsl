@@ -9,6 +9,8 @@ uniform float u_ground_grass_slope;
 
 const float SAND = 0.0, ROCK = 1.0, GRASS = 2.0, FLOOR = 3.0;
 const float GROUND_TEXELS = 512.0;
+const float FLAT_LOD = 6.5;      // from there on a layer is its mean: not worth the fetch
+const float DARK_DEPTH_M = 30.0;  // no light comes back from deeper beds
 
 struct Ground {
     vec3 albedo;
@@ -20,6 +22,7 @@ struct Ground {
 // One layer at a scale: slopes −1 … 1, height and tint 0 … 1.
 vec4 ground_layer(vec2 xy, float tile_m, float layer, float pixel_m) {
     float lod = log2(max(pixel_m * GROUND_TEXELS / tile_m, 1e-4));
+    if (lod > FLAT_LOD) return vec4(0.0, 0.0, 0.5, 0.5);
     vec4 v = textureLod(u_ground, vec3(xy / tile_m, layer), lod);
     return vec4(v.xy * 2.0 - 1.0, v.zw);
 }
@@ -116,6 +119,7 @@ Ground mix_ground(Ground a, Ground b, float t) {
 
 // `wet` 0 … 1 from the swash; `painted_cover` sand, rock, grass, always wet. `pixel_m` from pixel_size(position).
 Ground ground_at(vec3 position, vec3 normal, float height_above_sea, float wet, vec4 painted_cover, float pixel_m) {
+    if (height_above_sea < -DARK_DEPTH_M) return Ground(vec3(0.3, 0.27, 0.2), normal, 0.9, 0.03);
     vec4 broad = noise_at(turn(position.xy, 0.43, 0.903), 173.0, pixel_m);
     vec4 mid = noise_at(turn(position.xy, -0.31, 0.951), 31.0, pixel_m);
     float h = height_above_sea;
