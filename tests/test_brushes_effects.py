@@ -107,7 +107,23 @@ def test_flat_ground_beside_a_cliff_stays_flat_to_the_last_bit():
     ground[:, 200:] = 37.77
     height = drag(ground, "smooth", [(100, 80)], size_m=60, detail=0.1)
     assert height[:, :180].tobytes() == ground[:, :180].tobytes()
-    assert not np.array_equal(drag(ground, "smooth", [(190, 80)], size_m=60, detail=0.1), ground)
+    height = drag(ground, "smooth", [(215, 80)], size_m=60, detail=0.1)
+    assert height[:, :187].tobytes() == ground[:, :187].tobytes()
+    assert not np.array_equal(height, ground)
+
+
+def test_a_dab_of_smooth_is_the_mean_by_its_weight():
+    """h + strength · w · (mean − h), the mean by [1 2 1] / 4 at steps 4, 2, 1 in rows and columns, in float64."""
+    ground = rough()
+    height = drag(ground, "smooth", [(140.3, 150.6)], size_m=20, strength=0.6, detail=0.2)
+    kernel = np.ones(1)
+    for step in (4, 2, 1):
+        kernel = np.convolve(kernel, np.bincount([0, step, step, 2 * step]) / 4)
+    mean = ground.astype(np.float64)
+    for axis in (0, 1):
+        mean = np.apply_along_axis(np.convolve, axis, mean, kernel, "same")
+    weight = plain_mask(ground.shape, [(140.3, 150.6)], 20)
+    np.testing.assert_allclose(height, ground + 0.6 * weight * (mean - ground), atol=1e-5)
 
 
 def test_a_slope_that_meets_the_border_stays_as_it_is():

@@ -91,6 +91,18 @@ def test_half_precision_is_rounded_once_at_release():
     assert np.array_equal(level.layers["snow"].array, live.astype(np.float16).astype(np.float32))
 
 
+@pytest.mark.parametrize("ground", [0.0, 1.0])
+def test_what_rounding_takes_back_is_no_step(ground):
+    level = Level(Grid(200, 200), np.zeros((200, 200), np.float32))
+    if ground:
+        level.write("snow", level.grid.rect, ground)
+    journal = Journal(level)
+    before, brush = state(level), on_layer("raise", "snow")
+    paint(level, brush, journal, strength=1e-5 if ground else 1e-9)
+    assert state(level) == before
+    assert not journal.done
+
+
 # Seams
 
 
