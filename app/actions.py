@@ -10,6 +10,8 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..brushes import BRUSHES
+from ..level.framing import frame
+from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
 from .session import Session
 
@@ -32,6 +34,19 @@ class Action:
 
 def _water(session: Session) -> None:
     session.show = session.show.toggled("water")
+
+
+def _show(flag: str) -> Callable[[Session], None]:
+    """T11: one key switches one part of the picture."""
+
+    def run(session: Session) -> None:
+        session.show = session.show.toggled(flag)
+
+    return run
+
+
+def _frame_all(session: Session) -> None:
+    session.camera = frame(session.level, session.camera)
 
 
 def _save(session: Session) -> None:
@@ -63,7 +78,13 @@ def _rows() -> list[Action]:
         Action("centre", "Centre of the picture", (), "View", lambda s: s.ask("centre")),
         Action("next_view", "Next view", ("F1",), "View", _view(1), repeats=True),
         Action("last_view", "View before", ("Shift+F1",), "View", _view(-1), repeats=True),
-        Action("frame", "Frame", ("F",), "View", Session.frame),
+        *(
+            Action(f"show.{flag.name}", flag.label, (f"Alt+{n % 10}",), "View", _show(flag.name))
+            for n, flag in enumerate(SHOW_FLAGS.values())
+            if 0 < n <= 10 and flag.name != "water"
+        ),
+        Action("frame", "Frame what is pointed at", ("F",), "View", Session.frame),
+        Action("frame_all", "Frame the whole level", ("Shift+F",), "View", _frame_all),
         Action(
             "smaller", "Smaller brush", ("[",), "Brush", lambda s: s.scale_param("size_m", 1 / SIZE_STEP), repeats=True
         ),

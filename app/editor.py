@@ -24,6 +24,7 @@ from .session import Session
 
 log = logging.getLogger(__name__)
 GLIDE_S = 0.28
+OVERLAYS = ("walkable", "outline", "centre")
 QUALITIES = ("low", "medium", "high")
 TOLD = {"undo": "Undone: {}", "redo": "Redone: {}"}
 WHILE_STROKING = {"abort", "undo", "pause", "step", "step_back", "water"}  # other actions wait for the release
@@ -130,7 +131,7 @@ class Editor:
             self._request(self.session.requests.popleft())
 
     def _request(self, request: str) -> None:
-        if request in ("walkable", "outline", "centre"):
+        if request in OVERLAYS:
             setattr(self, request, not getattr(self, request))
         else:
             self.asked.append(request)

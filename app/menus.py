@@ -5,10 +5,11 @@ from __future__ import annotations
 from imgui_bundle import hello_imgui, imgui
 
 from . import keys, theme
-from .actions import ACTIONS
-from .editor import QUALITIES, Editor
+from .actions import ACTIONS, Action
+from .editor import OVERLAYS, QUALITIES, Editor
 
 ORDER = ("File", "Edit", "Brush", "Time", "View")
+RULED = {"import", "quit", "abort", "frame", "next_view", "brush.raise"}  # a line above these
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),
     ("Alt + left, or middle", "orbit about what is under the pointer"),
@@ -24,9 +25,6 @@ def draw(editor: Editor) -> None:
             _rows(editor, menu)
             if menu == "File":
                 _recent(editor)
-                imgui.separator()
-                if imgui.menu_item_simple("Quit", "Ctrl+Q"):
-                    editor.session.ask("quit")
             if menu == "View":
                 _view(editor)
             imgui.end_menu()
@@ -36,16 +34,25 @@ def draw(editor: Editor) -> None:
 
 
 def _rows(editor: Editor, menu: str) -> None:
-    session = editor.session
     for action in ACTIONS.values():
-        if action.menu != menu or action.id == "quit":
-            continue
-        if action.id in ("export", "pause", "smaller", "brush.raise") and menu != "Time":
-            imgui.separator()
-        chosen = action.id == f"brush.{session.brush}" or (action.id == "water" and "water" in session.show)
-        chosen = chosen or (action.id == "walkable" and editor.walkable)
-        if imgui.menu_item(action.title, keys.shown(action), chosen, action.enabled(session))[0]:
-            editor.do(action)
+        if action.menu == menu and not action.id.startswith("show."):
+            if action.id in RULED:
+                imgui.separator()
+            _row(editor, action)
+
+
+def _row(editor: Editor, action: Action) -> None:
+    chosen = _chosen(editor, action.id)
+    if imgui.menu_item(action.title, keys.shown(action), chosen, action.enabled(editor.session))[0]:
+        editor.do(action)
+
+
+def _chosen(editor: Editor, name: str) -> bool:
+    """Whether what an action switches is on."""
+    session = editor.session
+    if name == "water" or name.startswith("show."):
+        return name.removeprefix("show.") in session.show
+    return name == f"brush.{session.brush}" or (name in OVERLAYS and getattr(editor, name))
 
 
 def _recent(editor: Editor) -> None:
@@ -60,7 +67,11 @@ def _recent(editor: Editor) -> None:
 
 
 def _view(editor: Editor) -> None:
-    imgui.separator()
+    if imgui.begin_menu("Show"):
+        for action in ACTIONS.values():
+            if action.id.startswith("show."):
+                _row(editor, action)
+        imgui.end_menu()
     if imgui.begin_menu("Quality"):
         for quality in QUALITIES:
             if imgui.menu_item_simple(quality.capitalize(), selected=editor.quality == quality):

@@ -175,8 +175,6 @@ class Window:
     def _keys(self) -> None:
         if self.dialogs.open or imgui.get_io().want_text_input or self.editor.flying:
             return
-        if imgui.is_key_chord_pressed(int(imgui.Key.mod_ctrl) | int(imgui.Key.q)):
-            self.editor.session.ask("quit")
         for action in keys.pressed():
             self.editor.do(action)
 
