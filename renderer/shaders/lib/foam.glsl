@@ -54,14 +54,17 @@ Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, 
     float front = saturate(fall * (0.15 + 0.95 * torn));
     float wake = back * back * smoothstep(0.42, 0.85, patches) * 0.42;
     float crown = line * line * (0.04 + 0.50 * torn);
-    float lace = shore_edge * (0.06 + 0.36 * torn);
-    float rim = smoothstep(0.62, 0.92, shore_edge) * (0.20 + 0.55 * near);
+    float lace = shore_edge * (0.04 + 0.30 * torn);
+    float rim = smoothstep(0.62, 0.92, shore_edge) * (0.10 + 0.50 * near);
     float amount = 1.0 - (1.0 - front) * (1.0 - wake) * (1.0 - crown) * (1.0 - lace) * (1.0 - rim) * (1.0 - saturate(crest));
     amount = saturate(amount * u_foam_amount);
     if (amount < 0.004) return Foam(0.0, 0.0, 0.0, 0.0);
     float lod = log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4));
     float lee;
     vec4 fields = foam_fields(before, flow, to_light, max(lod, 0.0), lee);
+    float close = 1.0 - smoothstep(-1.0, 1.5, lod);
+    if (close > 0.0)  // bubbles eat into the edges where the texture alone would be blurred
+        fields.rgb += (textureLod(u_foam, before * (4.7 / u_foam_tile_m), max(lod + 2.2, 0.0)).a - 0.35) * 0.26 * close;
     float cover = foam_cover(fields, amount, max(lod, 0.0));
     float fine = mix(fields.a, 0.4, smoothstep(0.0, 3.0, lod));
     cover = saturate(cover * (0.86 + 0.22 * fine) + 0.25 * rim * fine * (1.0 - cover));
