@@ -10,7 +10,7 @@ from cyclopts import Parameter
 from ...level.errors import BadInput
 from .common import assignment, finite, numbers, progress, put, put_notes, size, writable_parent
 
-SUFFIXES = (".png", ".exr")
+SUFFIXES = (".png", ".jpg", ".exr")
 
 
 def render(

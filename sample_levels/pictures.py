@@ -1,0 +1,43 @@
+"""`make pictures`: the pictures of README and docs, drawn by the tool from the sample levels."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+PICTURES = ROOT / "docs" / "pictures"
+MORNING = {"light.sun_azimuth_deg": 250.0, "light.sun_elevation_deg": 24.0, "light.exposure_ev": 13.8}
+
+# name, level, camera (a name, or x, y, z, yaw, pitch), view, time, settings
+SHOTS = (
+    ("cove", "cove", "330,400,9,72,-8", "final", 15.0, {}),
+    ("cove-play", "cove", "play", "final", 14.0, {}),
+    ("cove-beach", "cove", "beach", "final", 14.0, {}),
+    ("cove-survey", "cove", "survey", "final", 14.0, {}),
+    ("cove-evening", "cove", "690,470,16,255,-10", "final", 15.0, MORNING),
+    ("cove-lines", "cove", "play", "wave_line", 14.0, {}),
+    ("cove-walkable", "cove", "survey", "walkable", 14.0, {}),
+    ("island-survey", "island", "survey", "final", 14.0, {}),
+    ("island-play", "island", "play", "final", 14.0, {}),
+)
+
+
+def main() -> int:
+    """Draw every shot into docs/pictures and print the path of each, one a line."""
+    from shorewright.app.cli import main as shorewright
+
+    PICTURES.mkdir(parents=True, exist_ok=True)
+    for name, level, camera, view, time_s, settings in SHOTS:
+        sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
+        code = shorewright(
+            ["render", str(ROOT / "sample_levels" / f"{level}.shore"), "-o", str(PICTURES / f"{name}.jpg"),
+             "--camera", camera, "--view", view, "--time", str(time_s), "--size", "1280x720", "--samples", "4", *sets]
+        )  # fmt: skip
+        if code:
+            return code
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
