@@ -66,7 +66,10 @@ def select(lod: Lod, view: View, bounds) -> np.ndarray:
         corners = np.array([(0, 0), (1, 0), (0, 1), (1, 1)]) * (size // 2)
         nodes = (nodes[divide][:, None] + corners).reshape(-1, 2)
         level -= 1
-    return np.concatenate(leaves).astype(np.int32)
+    chunks = np.concatenate(leaves).astype(np.int32)
+    # Near ones first: what they hide isn't shaded.
+    middle = (chunks[:, :2] + (lod.chunk << chunks[:, 2:]) / 2) * lod.cell_m - view.position[:2]
+    return chunks[np.argsort((middle**2).sum(axis=1), kind="stable")]
 
 
 def _roots(lod: Lod) -> np.ndarray:

@@ -113,6 +113,28 @@ def test_sea_reaches_the_horizon_without_a_gap(renderer, height):
             assert sea[row].all() == (up < 0), row
 
 
+@pytest.mark.parametrize("height", [2.0, 200.0])
+def test_mesh_and_horizon_plane_look_alike_where_they_join(renderer, monkeypatch, height):
+    """H21: the same pixels drawn by the mesh and by the plane differ by at most 2 of 255."""
+    from dataclasses import replace
+
+    from shorewright.renderer import quality
+
+    deep = Level(Grid(129, 129), np.full((129, 129), -40, np.float32))
+    deep.set("sea.swell_length_m", 6.0)  # lies down before either mesh ends
+    place = camera(x=64, y=64, z=height, pitch=-max(1.0, height / 20), fov=max(5.0, height / 8))
+    shots = []
+    for end in (400.0, 3000.0):
+        row = replace(quality.TIERS["medium"], sea_distance_m=end)
+        monkeypatch.setitem(quality.TIERS, "medium", row)
+        shots.append(render(deep, place, (256, 144), 2.0, renderer=renderer).astype(int))
+    position = render(deep, place, (256, 144), 2.0, "position", linear=True, renderer=renderer)
+    away = np.hypot(position[..., 0] - 64, position[..., 1] - 64)
+    joined = (away > 430) & (away < 2500)  # plane in the first, mesh in the second
+    assert joined.sum() > 100
+    assert np.abs(shots[0] - shots[1])[joined].max() <= 2
+
+
 @pytest.mark.parametrize("quality", ["low", "medium", "high"])
 @pytest.mark.parametrize("z", [60.0, 0.35, 0.0, -1.5, -30.0])
 def test_no_nan_above_on_and_below_the_surface(renderer, z, quality):

@@ -48,6 +48,7 @@ void main() {
 uniform sampler2D under_albedo, under_eye_depth;
 uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
+uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it sinks
 uniform float u_water_roughness, u_water_specular;
 uniform float u_swell_length_m, u_wave_slope;  // root of the mean square slope of the offshore waves
 const int REFINEMENTS = 3;
@@ -77,6 +78,16 @@ vec4 below(vec3 normal, float eye_depth, float away) {
     vec3 albedo = texelFetch(under_albedo, bent, 0).rgb;
     float thickness = depth > eye_depth ? (depth - eye_depth) * away / eye_depth : (depth > 0.0 ? 0.0 : 1e4);
     return vec4(albedo * albedo, thickness);
+}
+
+// Beyond the level the shore map repeats its border: surf there would run on as a stripe to the horizon.
+void fade_surf(inout Sea sea) {
+    vec2 outside = max(max(-sea.position.xy, sea.position.xy - u_extent_m), 0.0);
+    float share = 1.0 - smoothstep(0.1 * u_apron.x, 0.6 * u_apron.x, length(outside));
+    sea.shore.line *= share;
+    sea.shore.back *= share;
+    sea.shore.fall *= share;
+    sea.bed.sea.x *= share;
 }
 
 // The mesh is off the wave by its curvature between vertices: go along the pixel's ray to where it meets the plane that
@@ -112,6 +123,7 @@ void main() {
 #ifndef HORIZON
     if (share >= 1.0) onto_surface(relative, before, sea);
 #endif
+    fade_surf(sea);
     float away = length(relative), eye_depth = eye_depth_of(relative);
     vec3 to_eye = -relative / max(away, 1e-4);
     float pixel_m = pixel_metres(relative, vec3(0.0, 0.0, 1.0));

@@ -12,7 +12,7 @@ float height_texel(ivec2 cell) {
     ivec2 off = cell - inside;
     if (off != ivec2(0)) {
         float out_m = length(vec2(off)) * u_cell_m;
-        height = mix(height, min(height, u_still_m - u_apron.y), smoothstep(0.0, u_apron.x, out_m));
+        height = mix(height, min(height, u_still_m - u_apron.y), smoothstep(0.15 * u_apron.x, u_apron.x, out_m));
     }
     return height;
 }
