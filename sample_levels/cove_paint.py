@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from cove import SURFACE
-from noise_ops import fbm, smoothstep, worley
+from noise_ops import fbm, smoothstep, warp, worley
 from scipy.interpolate import PchipInterpolator
 from shorewright.level import Level, Rect
 from shorewright.level.layers import WEATHER_GRID
@@ -70,13 +70,11 @@ def beach(level: Level, near: dict, x, y, seed: int) -> None:
     riding = 0.75 * streaks * smoothstep(4, -4, inland) * smoothstep(-40, -14, inland) * smoothstep(538, 552, x)
     froth = 0.85 * np.maximum(disc(x, y, 573, 422, 8, seed + 4), 0.7 * disc(x, y, 553, 403, 8, seed + 5))
     level.write("foam", MOUTH, np.stack([riding, froth], axis=-1))
-    first, _, _ = worley(x, y, 5.0, seed + 6)
+    first, _, _ = worley(*warp(x, y, 12, 2.5, seed + 16), 5.0, seed + 6)
     tufts = smoothstep(0.55, 0.2, first) * smoothstep(34, 48, inland) * smoothstep(9, 15, aside)
-    wet = smoothstep(15, 10, aside) * smoothstep(3, 12, inland)
-    pebbles = (
-        0.7 * smoothstep(0.1, 0.5, fbm(x, y, 17, 3, seed + 7)) * smoothstep(20, 12, aside) * smoothstep(12, 22, inland)
-    )
-    cover = np.stack([np.zeros_like(x), pebbles, 0.9 * tufts, 0.8 * wet], axis=-1)
+    wet = smoothstep(11, 6, aside) * smoothstep(3, 12, inland)
+    ledge = 0.9 * disc(x, y, 508, 432, 12, seed + 7) * smoothstep(-0.8, 0.0, level.height[MOUTH.slices])
+    cover = np.stack([np.zeros_like(x), ledge, 0.9 * tufts, 0.7 * wet], axis=-1)
     level.write("cover", MOUTH, cover)
     level.write("yielding", MOUTH, smoothstep(2, 9, inland) * smoothstep(46, 34, inland) * smoothstep(16, 21, aside))
     level.write("quiet", MOUTH, disc(x, y, 551, 438, 13, seed + 8))

@@ -10,7 +10,7 @@ from terrain_ops import crumble, cut_valleys, points, upsample
 # Sea stacks and skerries: x, y, radius, height.
 STACKS = points(
     """
-    732,176,11,21 712,158,6,12 802,128,13,26 828,96,7,13 721,238,5,7 762,118,5,9 119,244,8,9 89,226,6,6 920,268,9,16
+    732,176,11,29 712,156,6,17 802,128,13,26 828,96,7,13 719,236,5,10 762,118,5,9 119,244,8,9 89,226,6,6 920,268,9,16
     """
 )
 # Ledges in the sand: x, y, half length, half width, height, the way they run (east, north).
@@ -19,8 +19,8 @@ LEDGES = points("508,432,15,11,1.6,0.75,-0.66 352,438,20,14,1.7,0.8,-0.6 690,372
 BOULDERS = points(
     """
     496,413,3.4,2.5 491,416,1.9,1.3 500,407,2.4,1.2 483,406,1.7,1 570,425,2,1.2 575,421,3,1.9 462,428,1.6,0.9
-    554,404,3.2,2.2 548,398,2,1.2 639,392,3.6,2.4 644,397,2.1,1.4 684,371,4.2,2.9 690,378,2.4,1.6 696,364,3,1.7
-    654,412,2.6,1.7
+    554,404,3.2,2.2 548,398,2,1.2  684,371,4.2,2.9 690,378,2.4,1.6 696,364,3,1.7
+    700,380,1.7,1.1
     """
 )
 
@@ -35,7 +35,7 @@ def hills(maps: dict[str, np.ndarray], ground: np.ndarray, seed: int) -> np.ndar
     top = 3 + rise * (24 + 125 * crest + 13 * fbm(wx, wy, 60, 4, seed + 27))
     head = smoothstep(604, 809, x + 30 * fbm(x, y, 90, 2, seed + 28)) * smoothstep(680, 400, y)
     tilt = 0.08 * (x - 834) + 0.04 * (y - 250) + 10 * fbm(wx, wy, 85, 5, seed + 23)
-    top = smooth_max(top, 2 + head * (28 + 13 * smoothstep(8, 70, coast) + tilt), 9)
+    top = smooth_max(top, 2 + head * (35 + 15 * smoothstep(8, 70, coast) + tilt), 9)
     point = smoothstep(254, 144, x) * smoothstep(520, 360, y)
     top = smooth_max(top, 2 + point * (9 + 8 * smoothstep(0, 50, coast) + 6 * fbm(wx, wy, 70, 5, seed + 24)), 6)
     valley = smoothstep(16, 150, np.abs(maps["river_m"]) + 18 * fbm(x, y, 80, 3, seed + 25))

@@ -37,8 +37,11 @@ REEF = points("826,214 874,266 908,352 908,462 862,572 776,660 664,724 548,752 4
 CAYS = points("880,446,30,1.9 878,396,17,1.2 690,716,24,1.6 560,730,18,1.3")
 PASSES = ((455.0, 17.0, 6.5),)  # metres along the reef, half width, depth
 STACKS = points("186,560,10,19 170,578,5,9 196,404,9,15 300,276,8,12 286,262,4,6 240,652,7,11")
-LEDGES = points("452,270,26,14,1.6,0.9,-0.42 604,268,12,8,1.1,0.7,0.7")
-BOULDERS = points("484,262,3.2,2.1 494,252,2.1,1.4 600,300,2.6,1.7 606,309,1.8,1 618,398,3,1.8 640,470,2.4,1.5")
+LEDGES = points("452,270,26,14,1.6,0.9,-0.42 604,268,12,8,1.1,0.7,0.7 690,187,19,8,1.3,0.99,0.14")
+BOULDERS = points(
+    "706,184,2.6,1.6 678,181,2.0,1.3 712,186,1.6,0.8 484,262,3.2,2.1 494,252,2.1,1.4 "
+    "600,300,2.6,1.7 606,309,1.8,1 618,398,3,1.8 640,470,2.4,1.5"
+)
 
 # Height by metres inland of the beach: in the lagoon, and on the open side of the spit.
 QUIET = points("-900,-5.5 -220,-4.6 -90,-3.6 -44,-2.7 -22,-1.9 -9,-0.9 0,0 8,0.78 15,1.3 22,1.5 36,1.9 80,3.2 300,6")
@@ -112,14 +115,14 @@ def volcano(maps: dict[str, np.ndarray], ground: np.ndarray, seed: int) -> np.nd
     away = np.sqrt(np.square(wx - SUMMIT[0]) + np.square(wy - SUMMIT[1]))
     east = np.clip((wx - SUMMIT[0]) / np.maximum(away, 1), 0, 1)
     part = np.clip(1 - away / (310 - 88 * east), 0, 1)
-    cone = 205 * part * np.sqrt(part) * (0.8 + 0.4 * ridged(wx, wy, 190, 5, seed + 31))
+    cone = 188 * part * np.sqrt(part) * (0.8 + 0.4 * ridged(wx, wy, 190, 5, seed + 31))
     old_cliff = 1 - smoothstep(0.1, 0.75, east) * smoothstep(130, 0, coast)  # none where the beach grew in front of it
     top = 2 + old_cliff * (cone + 9 * fbm(wx, wy, 55, 5, seed + 32) * smoothstep(0, 60, cone))
     rough = np.maximum(top, ground)[::2, ::2]
     fixed = (top < ground)[::2, ::2] | (coast < 0)[::2, ::2]
-    cut = cut_valleys(rough, fixed, 2.0, 200, 0.048, 0.07)
+    cut = cut_valleys(rough, fixed, 2.0, 200, 0.046, 0.085)
     cut = cut - crater(maps["x"][::2, ::2], maps["y"][::2, ::2], seed)
-    slipped, soil = crumble(cut, np.zeros_like(cut), 1.0, 0.66, 2.0, 60)
+    slipped, soil = crumble(cut, np.zeros_like(cut), 0.8, 0.62, 2.0, 80)
     turf = 0.8 * fbm(x, y, 20, 4, seed + 33)
     return np.where(top < ground, top, upsample(slipped + soil, x.shape) + turf)
 

@@ -3,51 +3,53 @@
 from __future__ import annotations
 
 import argparse
-import sys
 import time
 from pathlib import Path
 
+import cove
+import cove_paint
+import island
 import numpy as np
+from shorewright.level import Grid, Level, Settings
+from shorewright.level.objects import Camera, Disturbance
 
 HERE = Path(__file__).resolve().parent
-sys.path.insert(0, str(HERE))
-
-import cove  # noqa: E402
-import cove_paint  # noqa: E402
-import island  # noqa: E402
-from shorewright.level import Grid, Level, Settings  # noqa: E402
-from shorewright.level.objects import Camera, Disturbance  # noqa: E402
-
 SEED = 7
 STEP_M = 1 / 1024  # heights are whole multiples of it: the same on every machine, and half the bytes
 
 COVE_CAMERAS = [
-    Camera(id="play", x=584, y=462, z=58, yaw_deg=234, pitch_deg=-55, fov_deg=45),
-    Camera(id="beach", x=612, y=420, z=1.9, yaw_deg=113, pitch_deg=2, fov_deg=42),
+    Camera(id="play", x=589, y=449, z=60, yaw_deg=260, pitch_deg=-55, fov_deg=48),
+    Camera(id="beach", x=661, y=404, z=2.1, yaw_deg=129, pitch_deg=5, fov_deg=42),
     Camera(id="survey", x=440, y=885, z=300, yaw_deg=172, pitch_deg=-24, fov_deg=52),
 ]
 COVE_SETTINGS = {
     "level.seed": SEED,
     "shore.interval_s": 8.0,
-    "shore.height_m": 0.6,
+    "shore.height_m": 0.8,
+    "shore.variety": 0.7,
+    "shore.stagger": 0.3,
     "sea.swell_heading_deg": 12.0,
+    "ground.rock_slope_deg": 40.0,
+    "ground.grass_slope_deg": 35.0,
 }
 ISLAND_CAMERAS = [
-    Camera(id="play", x=708, y=236, z=58, yaw_deg=243, pitch_deg=-55, fov_deg=45),
-    Camera(id="beach", x=650, y=242, z=1.9, yaw_deg=303, pitch_deg=8, fov_deg=46),
-    Camera(id="survey", x=880, y=-70, z=300, yaw_deg=318, pitch_deg=-22, fov_deg=52),
+    Camera(id="play", x=750, y=238, z=60, yaw_deg=248, pitch_deg=-55, fov_deg=45),
+    Camera(id="beach", x=647, y=232, z=2.3, yaw_deg=304, pitch_deg=7, fov_deg=46),
+    Camera(id="survey", x=760, y=-110, z=300, yaw_deg=338, pitch_deg=-23, fov_deg=52),
 ]
 ISLAND_SETTINGS = {
     "level.seed": SEED + 4,
     "shore.range_m": 4.0,
     "shore.interval_s": 7.0,
-    "shore.height_m": 0.5,
+    "shore.height_m": 0.6,
+    "shore.variety": 0.8,
+    "shore.stagger": 0.3,
     "sea.swell_heading_deg": 40.0,
     "water.absorb_red": 0.36,
     "water.absorb_green": 0.06,
     "water.scatter": 0.045,
-    "ground.rock_slope_deg": 44.0,
-    "ground.grass_slope_deg": 39.0,
+    "ground.rock_slope_deg": 54.0,
+    "ground.grass_slope_deg": 50.0,
     "ground.sand_top_m": 3.0,
 }
 
@@ -91,6 +93,8 @@ def main() -> None:
     parser.add_argument("names", nargs="*", metavar="NAME", help="cove, island; all when none is named")
     parser.add_argument("--out", type=Path, default=HERE, help="folder that takes the levels")
     arguments = parser.parse_args()
+    if unknown := set(arguments.names) - set(LEVELS):
+        parser.error(f"no sample level is called {', '.join(sorted(unknown))}; there are: {', '.join(LEVELS)}")
     for name in arguments.names or LEVELS:
         start = time.perf_counter()
         level = LEVELS[name]()

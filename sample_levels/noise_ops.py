@@ -16,10 +16,10 @@ TABLE = 256
 
 
 @functools.lru_cache(maxsize=256)
-def _gradients(seed: int) -> np.ndarray:
-    """Unit gradients of a wrapping lattice, `(256 · 256, 2)`."""
+def _gradients(seed: int) -> tuple[np.ndarray, np.ndarray]:
+    """Unit gradients of a wrapping lattice, east and north parts, `(256 · 256,)` each."""
     angle = np.random.default_rng(seed).random(TABLE * TABLE) * (2 * math.pi)
-    return np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+    return np.cos(angle), np.sin(angle)
 
 
 @functools.lru_cache(maxsize=64)
@@ -45,18 +45,20 @@ def smoothstep(low: float, high: float, x: np.ndarray) -> np.ndarray:
 
 def perlin(x: np.ndarray, y: np.ndarray, seed: int) -> np.ndarray:
     """Gradient noise at lattice coordinates."""
-    table = _gradients(seed)
+    east, north = _gradients(seed)
     column, fx = _cell(x)
     row, fy = _cell(y)
     u, v = fade(fx), fade(fy)
+    columns = column, (column + 1) & (TABLE - 1)
+    rows = row * TABLE, ((row + 1) & (TABLE - 1)) * TABLE
 
     def corner(dx: int, dy: int) -> np.ndarray:
-        gradient = table[((row + dy) & (TABLE - 1)) * TABLE + ((column + dx) & (TABLE - 1))]
-        return gradient[..., 0] * (fx - dx) + gradient[..., 1] * (fy - dy)
+        place = rows[dy] + columns[dx]
+        return east.take(place) * (fx - dx) + north.take(place) * (fy - dy)
 
-    south = corner(0, 0) * (1 - u) + corner(1, 0) * u
-    north = corner(0, 1) * (1 - u) + corner(1, 1) * u
-    return (south * (1 - v) + north * v) * 1.5
+    bottom = corner(0, 0) * (1 - u) + corner(1, 0) * u
+    top = corner(0, 1) * (1 - u) + corner(1, 1) * u
+    return (bottom * (1 - v) + top * v) * 1.5
 
 
 def octaves(x, y, scale_m: float, count: int, seed: int, lacunarity: float = 2.03):

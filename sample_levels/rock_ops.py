@@ -48,10 +48,15 @@ def cliffs(x, y, coast, top, seed: int, steep: float = 0.72) -> np.ndarray:
     return np.where(coast > 0, face, shelf)
 
 
+def window(row: float, col: float, reach: int) -> tuple[slice, slice]:
+    """The square of samples about a place, cut at the border of the level."""
+    return tuple(slice(max(int(middle) - reach, 0), int(middle) + reach + 1) for middle in (row, col))
+
+
 def stacks(x, y, rock, table: np.ndarray, seed: int, bed_seed: int) -> np.ndarray:
     """Sea stacks and skerries raised in `rock`: `table` rows are x, y, radius, height."""
     for index, (east, north, radius, tall) in enumerate(table):
-        near = tuple(slice(max(int(middle) - 45, 0), int(middle) + 46) for middle in (north, east))
+        near = window(north, east, 45)
         px, py = x[near], y[near]
         wx, wy = warp(px, py, 16, 3.2, seed + index, 4)
         stretch = 0.7 + 0.12 * (index % 5)
@@ -71,15 +76,19 @@ def ribs(x, y, ground, table: np.ndarray, seed: int) -> np.ndarray:
     `table` rows are x, y, half length, half width, height, direction (east, north parts of the way they run).
     """
     for index, (east, north, length, width, tall, along_east, along_north) in enumerate(table):
-        dx, dy = warp(x - east, y - north, 24, 2.2, seed + index)
+        near = window(north, east, 2 * int(max(length, width)))
+        px, py, base = x[near], y[near], ground[near]
+        dx, dy = warp(px - east, py - north, 24, 2.2, seed + index)
         along, across = dx * along_east + dy * along_north, dx * along_north - dy * along_east
-        inside = 1 - np.sqrt(np.square(along / length) + np.square(across / width)) + 0.35 * fbm(x, y, 9, 3, seed + 20)
+        inside = (
+            1 - np.sqrt(np.square(along / length) + np.square(across / width)) + 0.35 * fbm(px, py, 9, 3, seed + 20)
+        )
         u = across / 5.2 + 0.5 * fbm(along, across * 0.4, 26, 3, seed + 21)
         part = u - np.floor(u)
         saw = np.where(part < 0.72, part / 0.72, (1 - part) / 0.28)
-        worn = 0.7 + 0.7 * fbm(x, y, 7, 3, seed + 22)
-        rib = ground - 0.35 + tall * smoothstep(0, 0.45, inside) * (0.25 + 0.75 * saw) * worn
-        ground = np.where(inside > 0, np.maximum(ground, rib), ground)
+        worn = 0.7 + 0.7 * fbm(px, py, 7, 3, seed + 22)
+        rib = base - 0.35 + tall * smoothstep(0, 0.45, inside) * (0.25 + 0.75 * saw) * worn
+        ground[near] = np.where(inside > 0, np.maximum(base, rib), base)
     return ground
 
 
@@ -93,13 +102,13 @@ def boulders(height, places: np.ndarray, seed: int) -> np.ndarray:
         row, col = int(y), int(x)
         if not (reach < row < height.shape[0] - reach and reach < col < height.shape[1] - reach):
             continue
-        window = height[row - reach : row + reach + 1, col - reach : col + reach + 1]
+        patch = height[row - reach : row + reach + 1, col - reach : col + reach + 1]
         side = np.arange(-reach, reach + 1.0)
         dy, dx = side[:, None] + (row - y), side[None, :] + (col - x)
         cosine, sine = 1 - 2 * turn, 2 * np.sqrt(turn * (1 - turn))
         u, v = (cosine * dx + sine * dy) / radius, (cosine * dy - sine * dx) / (radius * (0.6 + 0.4 * flat))
         q = np.maximum(np.abs(u), np.abs(v)) * 0.55 + np.sqrt(u * u + v * v) * 0.45  # between a block and an egg
         top = tall * np.clip(1.15 - q * q * q, -1, 1) * (1 + 0.3 * (lean - 0.5) * u)
-        foot = ndimage.minimum(window) * 0.35 + float(window[reach, reach]) * 0.65
-        np.maximum(window, np.where(q < 1.05, foot + top, window), out=window)
+        foot = ndimage.minimum(patch) * 0.35 + float(patch[reach, reach]) * 0.65
+        np.maximum(patch, np.where(q < 1.05, foot + top, patch), out=patch)
     return height

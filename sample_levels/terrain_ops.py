@@ -33,7 +33,7 @@ class Curve:
 
     def nearest(self, x: np.ndarray, y: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """(signed distance m, positive on the left of the way along; metres along) of every point."""
-        distance, index = self._tree.query(np.stack([x, y], axis=-1).reshape(-1, 2))
+        distance, index = self._tree.query(np.stack([x, y], axis=-1).reshape(-1, 2), workers=-1)
         distance, index = distance.reshape(x.shape), index.reshape(x.shape)
         tangent, origin = self.tangent[index], self.points[index]
         left = tangent[..., 0] * (y - origin[..., 1]) - tangent[..., 1] * (x - origin[..., 0])
