@@ -46,9 +46,10 @@ def application() -> cyclopts.App:
         version=__version__,
         result_action="return_value",
         help_format="plaintext",
+        help_formatter="plain",
     )
-    for name, place in VERBS.items():
-        app.command(f"{_HERE}.{place}", name=name)
+    for number, (name, place) in enumerate(VERBS.items()):
+        app.command(f"{_HERE}.{place}", name=name, sort_key=number)
     return app
 
 
@@ -57,7 +58,11 @@ def main(argv: list[str] | None = None) -> int:
     argv = list(sys.argv[1:] if argv is None else argv)
     logging.basicConfig(level=os.environ.get("SHOREWRIGHT_LOG", "WARNING").upper(), format="%(levelname)s: %(message)s")
     try:
-        code = application()(argv, exit_on_error=False, print_error=False)
+        app = application()
+        if not argv or argv[0] in ("--help", "-h"):  # the page shows the first sentence of every verb
+            for verb in VERBS:
+                app[verb]
+        code = app(argv, exit_on_error=False, print_error=False)
         sys.stdout.flush()
         return code if isinstance(code, int) else 0
     except BadInput as error:
@@ -91,12 +96,20 @@ def _usage(error: cyclopts.CycloptsError, argv: list[str]) -> str:
     elif isinstance(error, cyclopts.UnknownCommandError):
         told = f"there is no command {argv[0]!r}"
     elif isinstance(error, cyclopts.MissingArgumentError) and error.argument is not None:
-        name = error.argument.name
-        positional = not error.argument.parse or not error.tokens
-        told = f"{verb} needs {name.lstrip('-').upper() if positional and not error.keyword else name}"
+        told = _missing(error.argument, verb, argv)
     else:
-        told = str(error).rstrip(".")
+        told = str(error).rstrip(".").replace(". Choose from:", ", not one of")
+        told = told[:1].lower() + told[1:]
     return f"{told}; see {help_page}"
+
+
+def _missing(argument, verb: str, argv: list[str]) -> str:
+    """A verb without one of its arguments, or a flag without its value."""
+    given = [name for name in argument.names if name in argv]
+    if given:
+        return f"{given[0]} needs {'more values' if argument.token_count()[0] > 1 else 'a value'}"
+    field = argument.field_info
+    return f"{verb} needs {argument.name if field.kind is field.KEYWORD_ONLY else field.name.upper()}"
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pydantic import ValidationError
 
@@ -15,6 +15,9 @@ from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
 from . import recovery_record
 from . import script as words
 from .hand import Hand
+
+if TYPE_CHECKING:
+    from ..io import Heightmap
 
 
 class Edits(Hand):
@@ -84,9 +87,7 @@ class Edits(Hand):
 
     def import_height(self, path: Path | str, **flags) -> list[str]:
         """Put another ground under what was sculpted, which stays where the grid is the same; returns what to tell."""
-        from ..io import import_height
-
-        found = import_height(path, **flags)
+        found = imported_height(path, flags)
         self._end_stroke()
         word = words.Import(path=str(path), flags=flags)
         with self._edit(word), self.journal.step(f"Import {Path(path).name}") as step:
@@ -209,6 +210,23 @@ class Edits(Hand):
                 self.import_height(action.path, **action.flags)
             case words.Plain():
                 PLAIN[action.do](self)
+
+
+def imported_height(path: Path | str, flags: dict[str, Any]) -> Heightmap:
+    """`io.import_height` with flags that may come from a script; BadInput for one it doesn't know."""
+    from inspect import signature
+
+    from ..io import import_height
+
+    known = list(signature(import_height).parameters)[1:]
+    for name in flags:
+        if name not in known:
+            raise BadInput(f"an import has no flag {name!r}; it has: {', '.join(known)}")
+    flags = {name: tuple(value) if isinstance(value, list) else value for name, value in flags.items()}
+    try:
+        return import_height(path, **flags)
+    except (TypeError, AttributeError) as error:
+        raise BadInput(f"a flag of the import of {path} is of the wrong kind ({error})") from None
 
 
 PLAIN = {"pause": Edits.pause, "run": Edits.run_time, "undo": Edits.undo, "redo": Edits.redo}

@@ -19,7 +19,7 @@ from ..level.framing import cameras, frame
 from ..level.objects import Camera
 from ..level.params import Section
 from . import script as words
-from .edits import Edits
+from .edits import Edits, imported_height
 from .spill import FileStore
 
 if TYPE_CHECKING:
@@ -74,9 +74,7 @@ class Session(Edits):
     @classmethod
     def imported(cls, path: Path | str, *, sea_level_m: float = 0.0, samples: int | None = None, **flags) -> Session:
         """A new level from a height map; `flags` as `io.import_height` takes them, BadInput names the one missing."""
-        from ..io import import_height
-
-        found = import_height(path, **flags)
+        found = imported_height(path, flags)
         session = cls.new(Grid(*found.height.shape, found.cell_m), found.height, dict(found.georeference or {}))
         if sea_level_m:
             session.level.set("level.sea_level_m", sea_level_m)

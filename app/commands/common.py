@@ -8,9 +8,13 @@ import sys
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Annotated, Any
+
+from cyclopts import Parameter
 
 from ...level.errors import BadInput
+
+LevelPath = Annotated[Path, Parameter(help="A level's folder, NAME.shore.")]
 
 
 def put(text: str) -> None:

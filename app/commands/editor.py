@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 from ...level.errors import BadInput
-from .common import put_notes
+from .common import LevelPath, put_notes
 
 
-def edit(level: Path | None = None) -> int:
+def edit(level: LevelPath | None = None) -> int:
     """Open the editor on a level, or on a new beach."""
     from ..launch import has_display
 

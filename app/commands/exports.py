@@ -7,17 +7,20 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from .common import put, put_notes, words
+from .common import LevelPath, put, put_notes, words
 
 
 def export(
-    level: Path,
+    level: LevelPath,
     *,
     target: Annotated[str, Parameter(help="unreal or raw.")],
     output: Annotated[Path, Parameter(name=["--output", "-o"], help="Folder to write; new, empty or an older export.")],
     only: Annotated[list[str] | None, Parameter(negative="", help="Maps to write, by comma; all without it.")] = None,
 ) -> int:
-    """Write a level as files an engine reads, and print their paths; the manifest comes last."""
+    """Write a level as files an engine reads.
+
+    Prints their paths; the manifest comes last.
+    """
     from ...io import export as run
     from ...io import read_level
 
@@ -29,8 +32,11 @@ def export(
     return 0
 
 
-def check(path: Path) -> int:
-    """Check a level or an export: hashes, ranges, heights as an engine decodes them; exit code 1 and a list if not."""
+def check(path: Annotated[Path, Parameter(help="The folder of a level or an export.")]) -> int:
+    """Check a level or an export, down to every height.
+
+    Hashes, ranges, heights as the engine decodes them; exit code 1 and a list if something is wrong.
+    """
     from ...io import check as run
 
     findings = run(path)

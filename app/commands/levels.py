@@ -8,15 +8,14 @@ from typing import Annotated, Literal
 from cyclopts import Parameter
 
 from ...level.errors import BadInput
-from .common import numbers, put, put_json, put_notes, put_table, size
+from .common import LevelPath, numbers, put, put_json, put_notes, put_table, size
 from .tables import Json
 
-Flag = Parameter(negative="")
-Number = Parameter(allow_leading_hyphen=True)
+RECTANGLE = "WEST,SOUTH,EAST,NORTH in metres, such as 0,0,400,300."
 
 
 def new(
-    level: Path,
+    level: LevelPath,
     *,
     terrain: Annotated[Path | None, Parameter(name="--from", help="PNG, EXR, TIFF, npz, r16 or text grid.")] = None,
     cell_m: Annotated[str | None, Parameter(help="Metres between samples: 1, or 2x1 (east x north).")] = None,
@@ -25,7 +24,8 @@ def new(
     array: Annotated[str | None, Parameter(help="Which array of an .npz, or channel of an image.")] = None,
     sea_level: Annotated[float, Parameter(allow_leading_hyphen=True, help="Height of the still sea, m.")] = 0.0,
     height_range: Annotated[
-        tuple[float, float] | None, Parameter(allow_leading_hyphen=True, help="Metres that black and white mean.")
+        tuple[float, float] | None,
+        Parameter(negative="", allow_leading_hyphen=True, help="Metres of black and white."),
     ] = None,
     fill: Annotated[float | None, Parameter(allow_leading_hyphen=True, help="Height of missing samples, m.")] = None,
     size_text: Annotated[
@@ -33,10 +33,9 @@ def new(
     ] = None,
     resample: Annotated[int | None, Parameter(help="Samples on the longer side of the level made.")] = None,
 ) -> int:
-    """Make a level from a height map, or a sloping beach without one.
+    """Make a level from a height map, or a beach without one.
 
-    Cameras play, beach and survey are placed by the shape of the shore. What the file leaves open is filled with
-    documented defaults (1 m cells, north row first) and told; what contradicts a flag is refused.
+    What the file leaves open is told (1 m cells, north row first); what contradicts a flag is refused.
     """
     from ..session import Session
 
@@ -87,13 +86,13 @@ def _beach(text: str | None, cell_text: str | None, sea_level_m: float, resample
 
 
 def resize(
-    level: Path,
+    level: LevelPath,
     *,
     samples: Annotated[int | None, Parameter(name=["--size", "--samples"], help="Samples on the longer side.")] = None,
     cell_m: Annotated[float | None, Parameter(help="Metres between samples.")] = None,
     sea_level: Annotated[float | None, Parameter(allow_leading_hyphen=True, help="Height of the still sea, m.")] = None,
 ) -> int:
-    """Resample every map of a level to another number of samples or another cell, and move its sea."""
+    """Resample every map of a level, and move its sea."""
     from ..session import Session
 
     if samples is None and cell_m is None and sea_level is None:
@@ -109,11 +108,11 @@ def resize(
     return 0
 
 
-def crop(level: Path, rectangle: Annotated[str, Parameter(allow_leading_hyphen=True)]) -> int:
-    """Keep the rectangle WEST,SOUTH,EAST,NORTH of a level, metres from its south-west corner."""
+def crop(level: LevelPath, rectangle: Annotated[str, Parameter(allow_leading_hyphen=True, help=RECTANGLE)]) -> int:
+    """Keep a rectangle of a level."""
     from ..session import Session
 
-    sides = numbers(rectangle, 4, "crop", "a rectangle: give WEST,SOUTH,EAST,NORTH in metres, such as 0,0,400,300")
+    sides = numbers(rectangle, 4, "crop", f"a rectangle: give {RECTANGLE[:-1]}")
     with Session.open(level) as session:
         session.crop(*sides)
         session.save()
@@ -127,8 +126,8 @@ def _shape(level) -> str:
     return f"{level.grid.cols} × {level.grid.rows} samples, {level.grid.cell_m:g} m apart: {east:g} × {north:g} m"
 
 
-def info(level: Path, *, as_json: Json = False) -> int:
-    """Tell what a level holds: size, heights, maps, cameras, place on Earth."""
+def info(level: LevelPath, *, as_json: Json = False) -> int:
+    """Tell what a level holds: size, maps, cameras."""
     from ...io import read_level
 
     notes: list[str] = []

@@ -8,13 +8,13 @@ from typing import Annotated, Literal
 from cyclopts import Parameter
 
 from ...level.errors import BadInput
-from .common import assignment, finite, numbers, progress, put, put_notes, size, writable_parent
+from .common import LevelPath, assignment, finite, numbers, progress, put, put_notes, size, writable_parent
 
 SUFFIXES = (".png", ".jpg", ".exr")
 
 
 def render(
-    level: Path,
+    level: LevelPath,
     *,
     output: Annotated[Path, Parameter(name=["--output", "-o"], help="PNG: the display picture. EXR: linear radiance.")],
     camera: Annotated[str, Parameter(allow_leading_hyphen=True, help="A name, or X,Y,Z,YAW,PITCH.")] = "play",
@@ -30,7 +30,10 @@ def render(
     frames: Annotated[int | None, Parameter(help="How many numbered pictures, NAME_0001.png and on.")] = None,
     fps: Annotated[float, Parameter(allow_leading_hyphen=True, help="Pictures a second of level time.")] = 30.0,
 ) -> int:
-    """Draw a level into a PNG or EXR and print its path; the picture at a time is the same however it was reached."""
+    """Draw a level into a PNG or EXR.
+
+    The picture at a time is the same however it was reached. Prints its path.
+    """
     if output.suffix.lower() not in SUFFIXES:
         raise BadInput(f"{output.name} is no picture that can be written: end it in {' or '.join(SUFFIXES)}")
     options = {"size": size(size_text), "view": view, "quality": quality}

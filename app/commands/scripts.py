@@ -3,12 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Annotated
 
-from .common import progress, put, put_notes
+from cyclopts import Parameter
+
+from .common import LevelPath, progress, put, put_notes
 
 
-def stroke(level: Path, script: Path) -> int:
-    """Do what SCRIPT.json says (strokes, settings, objects, undo) and save, or change nothing when any of it fails."""
+def stroke(level: LevelPath, script: Annotated[Path, Parameter(help="Actions as JSON.")]) -> int:
+    """Replay a script of strokes and settings on a level.
+
+    Saves when all of it is done, changes nothing when any of it fails.
+    """
     from ..script import load
     from ..session import Session
 

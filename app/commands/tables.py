@@ -13,7 +13,7 @@ Json = Annotated[bool, Parameter(name="--json", negative="", help="A list of obj
 
 
 def views(*, as_json: Json = False) -> int:
-    """List the views: every buffer and mask that `render --view` can show, and the flags that `--hide` switches off."""
+    """List the views and the show flags."""
     from ...renderer import SHOW_FLAGS, VIEWS
 
     if as_json:
@@ -58,7 +58,7 @@ def layers(*, as_json: Json = False) -> int:
 
 
 def settings(*, as_json: Json = False) -> int:
-    """List the settings of a level, as `render --set` and scripts name them."""
+    """List the settings of a level, as --set names them."""
     from ...level import Settings
     from ...level.params import describe
 
