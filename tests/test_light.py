@@ -36,6 +36,7 @@ def evaluate(ctx, include: str, body: str, size=(64, 1), **uniforms) -> np.ndarr
     set_uniforms(shader.program, {"u_size": size, **uniforms})
     shader.fullscreen()
     values = np.frombuffer(target.read(), np.float32).reshape(size[1], size[0], 4)
+    ctx.detect_framebuffer(0).use()  # a framebuffer that is gone must not stay bound
     for thing in (shader, frame, target):
         thing.release()
     return values
