@@ -99,9 +99,9 @@ class Canvas:
         rects = []
         for block in self._blocks(whole, link, footprint):
             self.step.save(self.data, block)
-            out, spare, temporary = (flat[: block.cells].reshape(block.shape) for flat in self._scratch)
-            weight = footprint.weights(link, block, out, spare)
-            for piece in self._pieces(block, weight, temporary, link, masked):
+            out, *spare = (flat[: block.cells].reshape(block.shape) for flat in self._scratch)
+            weight = footprint.weights(link, block, out, *spare)
+            for piece in self._pieces(block, weight, spare[0], link, masked):
                 effect.write(piece)
             rects.append(block)
         self.bounds = self.bounds.union(whole)

@@ -96,7 +96,7 @@ class AlongPath:
 
 
 class LinePath:
-    """One dab from the press to where the pointer is now; each move replaces it."""
+    """One dab from the press to where the pointer is now; each move replaces it. Pressure doesn't count."""
 
     replaces = True
 
@@ -104,9 +104,9 @@ class LinePath:
         self.least_m = min(max(spacing_m, cell_m / 2), 2 * cell_m)  # less is a hand that shook on a click
 
     def begin(self, sample: Sample) -> Iterator[Dab]:
-        self.first = sample
+        self.first = sample._replace(pressure=1.0)
         yield from ()
 
     def move(self, sample: Sample) -> Iterator[Dab]:
         if math.hypot(sample.x - self.first.x, sample.y - self.first.y) >= self.least_m:
-            yield Dab(self.first, sample)
+            yield Dab(self.first, sample._replace(pressure=1.0))

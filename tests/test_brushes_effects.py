@@ -44,9 +44,9 @@ def plain_mask(shape, points, size, falloff=0.7, spacing=0.1, released=False):
     for x, y in points[1:]:
         dabs += path.move(stroke.samples[0]._replace(x=x, y=y))
     for start, end in dabs + (list(path.end()) if released else []):
-        out, spare = np.empty(shape, np.float32), np.empty(shape, np.float32)
+        out, *spare = (np.empty(shape, np.float32) for _ in range(3))
         link = Link(start.y, start.x, end.y, end.x)
-        np.maximum(mask, footprint.weights(link, Rect(0, 0, *shape), out, spare), out=mask)
+        np.maximum(mask, footprint.weights(link, Rect(0, 0, *shape), out, *spare), out=mask)
     return mask
 
 
@@ -79,6 +79,15 @@ def test_a_stroke_leaves_no_scallops():
     )
     along = height[40:80, 60:240]
     assert np.ptp(along, axis=1).max() < 1e-5
+
+
+@pytest.mark.parametrize("falloff", [0.3, 0.7, 1.0])
+def test_a_pen_that_is_pressed_harder_leaves_no_steps(falloff):
+    points = [(60 + way, 60.3, 0.2 + way / 250) for way in range(0, 200, 3)]
+    height = drag(np.zeros((120, 320), np.float32), "raise", points, size_m=40, strength=10, falloff=falloff)
+    grade = np.diff(height[58:63, 70:200], axis=1)
+    assert grade.mean() == pytest.approx(0.04, rel=0.05)
+    assert np.abs(grade - grade.mean()).max() < 0.2 * grade.mean()
 
 
 @pytest.mark.parametrize("name", ["raise", "lower"])

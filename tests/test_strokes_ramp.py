@@ -36,6 +36,14 @@ def test_each_move_shows_the_ramp_to_the_pointer_and_nothing_of_the_last():
     assert stroke.samples == [(60, 50, 1), (90, 180, 1)]
 
 
+def test_a_pen_draws_the_same_ramp():
+    """A pen touches down and lifts lightly; that must not blur the ends."""
+    pen, mouse = rough_level(), rough_level()
+    play(start(pen, "ramp"), [(60, 50, 0.02), (90, 180, 0.4)])
+    play(start(mouse, "ramp"), [(60, 50), (90, 180)])
+    assert pen.height.tobytes() == mouse.height.tobytes()
+
+
 def test_it_is_one_step_that_keeps_only_tiles_it_changed():
     level = rough_level()
     journal = Journal(level)
