@@ -16,8 +16,10 @@ from functools import lru_cache
 import numpy as np
 
 GROUND_KM, TOP_KM = 6360.0, 6440.0
-RAYLEIGH = np.array([5.802e-3, 13.558e-3, 33.1e-3])  # 1/km at 680, 550, 440 nm
-OZONE = np.array([0.650e-3, 1.881e-3, 0.085e-3])
+# 1/km at 640, 550 and 453 nm, near the Rec. 709 primaries: with the often published 680 and 440 nm dusk is magenta.
+# Rayleigh by λ^-4 from 13.558e-3 at 550 nm, ozone by the Chappuis band from 1.881e-3 there.
+RAYLEIGH = np.array([7.40e-3, 13.56e-3, 29.5e-3])
+OZONE = np.array([1.45e-3, 1.88e-3, 0.16e-3])
 HAZE_TINT = np.array([0.84, 1.0, 1.22])  # Ångström exponent about 0.9
 HAZE_OPTICAL_DEPTH = 0.036  # at 550 nm for each step of turbidity above 1: clean sea air has 0.06
 HAZE_HEIGHT_KM, HAZE_ALBEDO, HAZE_G = 1.2, 0.94, 0.78
