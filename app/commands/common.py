@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import re
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Annotated, Any
@@ -40,18 +40,39 @@ def put_table(rows: list[tuple[str, ...]], indent: str = "") -> None:
         print((indent + "  ".join([*cells, row[-1]])).rstrip())
 
 
-@contextmanager
-def progress(title: str) -> Iterator[Any]:
-    """A `tell(done, total)` that draws a bar on a terminal, and nothing elsewhere."""
-    if not sys.stderr.isatty():
-        yield lambda done, total: None
-        return
-    from rich.console import Console
-    from rich.progress import Progress
+class Progress:
+    """Tells how far long work is; lines put meanwhile wait until the bar is gone from the terminal."""
 
-    with Progress(console=Console(stderr=True), transient=True) as bar:
+    held: list[str] | None = None
+    update: Callable[[int, int], object] | None = None
+
+    def __call__(self, done: int, total: int) -> None:
+        if self.update:
+            self.update(done, total)
+
+    def put(self, text: str) -> None:
+        put(text) if self.held is None else self.held.append(text)
+
+
+@contextmanager
+def progress(title: str) -> Iterator[Progress]:
+    """A bar on a terminal, and nothing elsewhere."""
+    told = Progress()
+    if not sys.stderr.isatty():
+        yield told
+        return
+    from rich import progress as rich_progress
+    from rich.console import Console
+
+    # rich would take stdout over too, and wrap what is printed there
+    with rich_progress.Progress(
+        console=Console(stderr=True), transient=True, redirect_stdout=False, redirect_stderr=False
+    ) as bar:
         task = bar.add_task(title, total=None)
-        yield lambda done, total: bar.update(task, completed=done, total=total)
+        told.held, told.update = [], lambda done, total: bar.update(task, completed=done, total=total)
+        yield told
+    for line in told.held:
+        put(line)
 
 
 # Values given as text

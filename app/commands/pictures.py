@@ -8,7 +8,7 @@ from typing import Annotated, Literal
 from cyclopts import Parameter
 
 from ...level.errors import BadInput
-from .common import LevelPath, assignment, finite, numbers, progress, put, put_notes, size, writable_parent
+from .common import LevelPath, assignment, finite, numbers, progress, put_notes, size, writable_parent
 
 SUFFIXES = (".png", ".jpg", ".exr")
 
@@ -101,5 +101,5 @@ def _draw(level, camera, output: Path, times: list[float], options: dict) -> int
             path = output if single else output.with_name(f"{output.stem}_{number:04d}{output.suffix}")
             write_image(path, pixels)
             tell(number, len(times))
-            put(str(path))
+            tell.put(str(path))
     return 0
