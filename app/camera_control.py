@@ -29,7 +29,7 @@ def moved(camera: Camera, position, yaw_deg: float | None = None, pitch_deg: flo
     yaw_deg = camera.yaw_deg if yaw_deg is None else yaw_deg
     pitch_deg = camera.pitch_deg if pitch_deg is None else pitch_deg
     pitch_deg = min(max(pitch_deg, PITCH_DEG[0]), PITCH_DEG[1])
-    return camera.model_copy(update={"x": x, "y": y, "z": z, "yaw_deg": yaw_deg % 360, "pitch_deg": pitch_deg})
+    return camera.model_copy(update={"x": x, "y": y, "z": z, "yaw_deg": yaw_deg % 360 % 360, "pitch_deg": pitch_deg})
 
 
 def place(camera: Camera) -> np.ndarray:

@@ -85,7 +85,7 @@ class Dialogs:
         if not session.dirty or not touched:
             go_on()
             return
-        name = session.path.name if session.path else "this level"
+        name = session.path.name if session.path else "This level"
 
         def choose(answer: str) -> None:
             if answer == "Save" and session.path is None:

@@ -13,9 +13,10 @@ PATIENCE = 6  # good frames in a row before a larger picture is tried
 class Governor:
     """Chooses one of SCALES for the sides of the picture from how long the last frames took."""
 
-    def __init__(self, target_fps: float = 30.0) -> None:
+    def __init__(self, target_fps: float = 30.0, start: float = 1.0) -> None:
+        """`start` is the scale to begin with: small where drawing is known to be slow."""
         self.target_fps = target_fps
-        self.index = 0
+        self.index = min(range(len(SCALES)), key=lambda i: abs(SCALES[i] - start))
         self._cost_s = 0.0  # smoothed cost of a frame at the current scale
         self._good = 0
 

@@ -15,6 +15,7 @@ log = logging.getLogger(__name__)
 SETTLE_S = 0.22  # a still picture is drawn at full size after this long without a change
 STILL_STEP = 2.0  # it grows by this much a time, so that something sharper is seen soon
 LONGEST_STILL_S = 4.0  # and no larger than what should take this long
+WIDGETS_FIRST = 2  # frames with widgets only: the first picture waits for its shaders
 RETRY_S = 3.0  # after a failure
 
 
@@ -30,9 +31,11 @@ class Drawn:
 class Picture:
     """Owns the renderer of a window's OpenGL context; the renderer is thrown away and made again when it fails."""
 
-    def __init__(self, ctx, target_fps: float = 30.0) -> None:
+    def __init__(self, ctx, target_fps: float = 30.0, slow: bool = False) -> None:
+        """`slow` when OpenGL is done in software."""
         self.ctx = ctx
-        self.governor = Governor(target_fps)
+        self.governor = Governor(target_fps, 0.35 if slow else 1.0)
+        self._shown = 0
         self.renderer = None
         self.texture = None
         self.drawn: Drawn | None = None
@@ -44,6 +47,9 @@ class Picture:
 
     def show(self, editor: Editor, size: tuple[int, int]) -> Any:
         """The texture for a viewport of `size` pixels (its first row at the bottom), None before the first success."""
+        self._shown += 1
+        if self._shown <= WIDGETS_FIRST:
+            return None
         now = time.monotonic()
         key = self._key(editor, size)
         if self.drawn is None or self.drawn.key != key:
@@ -57,8 +63,10 @@ class Picture:
 
     @property
     def waiting(self) -> bool:
-        """Whether a sharper picture is due although nothing changes."""
-        return self.drawn is not None and (self._changed_at + SETTLE_S * 2 > time.monotonic() or self._unfinished)
+        """Whether a first or a sharper picture is due although nothing changes."""
+        if self.drawn is None:
+            return not self.failure
+        return self._unfinished or self._changed_at + SETTLE_S * 2 > time.monotonic()
 
     @staticmethod
     def _scaled(size: tuple[int, int], scale: float) -> tuple[int, int]:

@@ -58,7 +58,9 @@ class Viewport:
             stroke = session.stroke
             invert = stroke.invert if stroke else io.key_ctrl
             overlay.ring(session.cursor, invert, stroke.smooth if stroke else io.key_shift)
-        if self.picture.failure:
+        if self.picture.drawn is None and not self.picture.failure:
+            overlay.corner_text("Preparing the picture…")
+        elif self.picture.failure:
             overlay.corner_text("The picture failed; see the log. The level is safe.", theme.RED)
         elif session.clock.paused:
             overlay.corner_text(f"{theme.icon('pause')}  paused at {session.clock.time_s:.2f} s", theme.WARM)

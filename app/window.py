@@ -131,9 +131,9 @@ class Window:
         import moderngl
 
         ctx = moderngl.create_context(require=410)
-        self.picture = Picture(ctx, self.editor.preferences.frame_rate)
-        self.viewport = Viewport(self.editor, self.picture)
         software = any(word in ctx.info["GL_RENDERER"].lower() for word in SOFTWARE)
+        self.picture = Picture(ctx, self.editor.preferences.frame_rate, software)
+        self.viewport = Viewport(self.editor, self.picture)
         if software:
             self.editor.quality = "low"
         log.info("%s, OpenGL %s", ctx.info["GL_RENDERER"], ctx.info["GL_VERSION"])

@@ -1,0 +1,148 @@
+"""The real window under Xvfb, worked through its widgets (T01 T05 T08 T11 D31)."""
+
+import hashlib
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from coasts import make_beach
+from shorewright import io
+from shorewright.app.recovery import offers
+from shorewright.level.framing import cameras
+
+pytestmark = pytest.mark.window
+DRIVE = Path(__file__).with_name("window_drive.py")
+
+
+@pytest.fixture(scope="module")
+def display():
+    """A display of its own; without Xvfb these tests skip, unless SHOREWRIGHT_EXPECT_GL demands it."""
+    if shutil.which("Xvfb") is None:
+        if os.environ.get("SHOREWRIGHT_EXPECT_GL"):
+            pytest.fail("Xvfb is missing, and SHOREWRIGHT_EXPECT_GL demands the window")
+        pytest.skip("Xvfb is missing, so no window can be opened")
+    read, write = os.pipe()
+    command = ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x800x24", "-nolisten", "tcp", "-noreset"]
+    server = subprocess.Popen(command, pass_fds=(write,), stderr=subprocess.DEVNULL)
+    os.close(write)
+    with os.fdopen(read) as answer:
+        number = answer.readline().strip()
+    yield f":{number}"
+    server.terminate()
+    server.wait(timeout=20)
+
+
+@pytest.fixture
+def drive(display, tmp_path):
+    """`drive(scenario)` runs it on a level in a temporary folder and returns its record; files go nowhere else."""
+    level = make_beach(rows=193, cols=225, slope=0.05)
+    for camera in cameras(level):
+        level.put_object(camera.id, camera)
+    path = tmp_path / "beach.shore"
+    io.write_level(level, path)
+
+    def run(scenario: str, code: int = 0) -> dict:
+        record = tmp_path / f"{scenario}.json"
+        places = {f"XDG_{kind}_HOME": str(tmp_path / kind.lower()) for kind in ("STATE", "CONFIG", "CACHE")}
+        env = {**os.environ, **places, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"}
+        env.pop("WAYLAND_DISPLAY", None)
+        done = subprocess.run(
+            [sys.executable, str(DRIVE), scenario, str(path), str(record)],
+            env=env, capture_output=True, text=True, timeout=600, cwd=DRIVE.parent,
+        )  # fmt: skip
+        assert done.returncode == code, done.stderr[-4000:]
+        assert record.exists(), done.stderr[-4000:]
+        return json.loads(record.read_text())
+
+    run.path, run.state = path, tmp_path / "state"
+    return run
+
+
+def ground(path) -> str:
+    return hashlib.sha256(io.read_level(path).height.tobytes()).hexdigest()
+
+
+def test_ramp_pause_undo_save(drive):
+    """T01, T05, T08, D31: picks ramp, drags across the beach, pauses, undoes, saves; Esc gives a stroke up."""
+    found = drive("sculpt")
+    assert found["ran"]
+    assert found["paused"]
+    assert found["brush"] == "ramp"
+    assert len({found["start"], found["during"], found["after"]}) >= 2
+    assert found["start"] not in (found["during"], found["after"])
+    assert found["preview"] > 0
+    assert found["steps"] == ["Ramp"]
+    assert found["title"] == "beach.shore •"
+    assert found["undone"] == found["start"]
+    assert found["redone"] == found["saved"] == found["after"]
+    assert not found["dirty"]
+    assert found["before_escape"] != found["after"]
+    assert found["escaped"] == found["at_last"] == found["after"]
+    assert found["steps_at_last"] == 1
+    assert found["time_at_last"] == found["time_s"]
+    assert ground(drive.path) == found["after"]
+
+
+def test_keys_and_modifiers(drive):
+    """T11, D31: the keys of ACTIONS; Ctrl inverts, Shift smooths with any brush."""
+    found = drive("keys")
+    assert found["brush"] == "raise"
+    assert found["larger"]
+    assert found["weaker"]
+    assert found["plain"][0] == "Raise"
+    assert found["plain"][1] > 0
+    assert found["inverted"][0] == "Lower"
+    assert found["inverted"][1] < 0
+    assert found["smoothed"][0] == "Smooth"
+    assert found["second"] == "lower"
+    assert not found["water"]
+    assert found["walkable"]
+    assert not found["walkable_again"]
+    assert found["hidden"] == ["vertex_animation", "water"]
+    assert 0 < found["stepped"] <= found["step_s"] + 1e-9
+
+
+def test_camera_and_stillness(drive):
+    """D40: orbit, zoom and flight move the camera and nothing else; a still picture is drawn once, at full size."""
+    found = drive("look")
+    places = [(c["x"], c["y"], c["z"]) for c in found["cameras"]]
+    assert len(set(places)) == len(places)
+    assert found["same"]
+    assert found["steps"] == 0
+    assert found["water_while_flying"]
+    assert found["still_frames"] >= 20
+    assert found["still_draws"] == 0
+    assert found["full"] == found["viewport"]
+
+
+def test_panels_and_broken_code(drive):
+    """T05, T08: a slider drag is one step; history and timeline go where clicked; a broken panel is outlived."""
+    found = drive("panels")
+    assert found["steps"] == ["Set shore.range_m"]
+    assert found["range_m"] != 5.0
+    assert found["steps_after_second"] == 2
+    assert found["went_to"] == 1
+    assert found["redoable"] == 1
+    assert 29 < found["scrubbed_s"] < 31
+    assert "the history broke" in found["told"]
+    assert found["failures"] == {"History": "RuntimeError: the history broke"}
+    assert found["healed"]
+    assert "ZeroDivisionError" in found["picture_failed"]
+    assert found["picture_healed"]
+
+
+def test_a_killed_editor_offers_what_it_had(drive):
+    """T08: at most the stroke in progress is lost; leaving with unsaved work asks first."""
+    killed = drive("killed", code=9)
+    assert ground(drive.path) != killed["after"]
+    assert len(offers(drive.state / "shorewright" / "recovery")) == 1
+    restored = drive("restored")
+    assert "beach.shore" in restored["asked"]
+    assert restored["after"] == killed["after"]
+    assert restored["dirty"]
+    assert restored["leaving"] == "Quit"
+    assert not restored["shall_exit"]

@@ -1,0 +1,269 @@
+"""Works the real window by imgui's test engine, as a person would, and writes down what came of it.
+
+Run by test_window.py in a process of its own: `python window_drive.py SCENARIO LEVEL RECORD.json`.
+"""
+
+import hashlib
+import json
+import os
+import sys
+from pathlib import Path
+
+import numpy as np
+from imgui_bundle import imgui
+from shorewright.app import window as editor_window
+from shorewright.app.panels import history_panel
+from shorewright.app.preferences import Preferences
+from shorewright.app.session import Session
+
+CTRL, SHIFT, ALT = imgui.Key.mod_ctrl, imgui.Key.mod_shift, imgui.Key.mod_alt
+LEFT, RIGHT, MIDDLE = 0, 1, 2
+SIZE = (1100, 700)
+
+
+class Hands:
+    """A person at the window: `ctx` is the test engine's context."""
+
+    def __init__(self, ctx, window) -> None:
+        self.ctx, self.window, self.editor = ctx, window, window.editor
+        self.record: dict = {}
+        ctx.yield_(4)
+
+    @property
+    def session(self) -> Session:
+        return self.editor.session
+
+    def height(self) -> str:
+        """Digest of the ground's bytes."""
+        return hashlib.sha256(self.session.level.height.tobytes()).hexdigest()
+
+    def volume(self) -> float:
+        """Sum of all heights."""
+        return float(self.session.level.height.sum(dtype=np.float64))
+
+    def note(self, **facts) -> None:
+        self.record.update(facts)
+
+    def at(self, x: float, y: float) -> tuple[float, float]:
+        """Screen pixels of a place in the viewport, given as parts of its sides."""
+        corner, size = self.window.viewport.corner, self.window.viewport.size
+        return corner[0] + size[0] * x, corner[1] + size[1] * y
+
+    def press(self, place, button=LEFT) -> None:
+        self.ctx.mouse_move_to_pos(self.at(*place))
+        self.ctx.yield_(2)
+        self.ctx.mouse_down(button)
+        self.ctx.yield_(2)
+
+    def move(self, place) -> None:
+        self.ctx.mouse_move_to_pos(self.at(*place))
+        self.ctx.yield_(2)
+
+    def release(self, button=LEFT) -> None:
+        self.ctx.mouse_up(button)
+        self.ctx.yield_(2)
+
+    def drag(self, *places, button=LEFT) -> None:
+        self.press(places[0], button)
+        for place in places[1:]:
+            self.move(place)
+        self.release(button)
+
+    def key(self, *chord) -> None:
+        total = 0
+        for part in chord:
+            total |= int(part)
+        self.ctx.key_press(total)
+        self.ctx.yield_(2)
+
+    def settle(self) -> None:
+        """Wait for the still picture."""
+        for _ in range(400):
+            self.ctx.yield_(1)
+            if not self.window.picture.waiting:
+                return
+
+
+def sculpt(hands: Hands) -> None:
+    """The issue's own story: pick ramp, drag across the beach, pause, undo, save; and Esc gives a stroke up."""
+    ctx, session = hands.ctx, hands.session
+    hands.note(start=hands.height(), ran=not session.clock.paused)
+    ctx.item_click("//Brushes/###ramp")
+    hands.key(imgui.Key.space)
+    hands.note(brush=session.brush, paused=session.clock.paused, time_s=session.clock.time_s)
+    hands.press((0.42, 0.42))
+    hands.move((0.5, 0.5))
+    hands.move((0.58, 0.6))
+    hands.note(during=hands.height(), preview=session.stroke.preview()["front_speed_mps"])
+    hands.release()
+    hands.note(after=hands.height(), steps=[s.label for s in session.journal.done], title=session.title)
+    hands.key(CTRL, imgui.Key.z)
+    hands.note(undone=hands.height())
+    hands.key(CTRL, SHIFT, imgui.Key.z)
+    hands.note(redone=hands.height())
+    hands.key(CTRL, imgui.Key.s)
+    hands.note(dirty=session.dirty, saved=hands.height())
+    hands.press((0.4, 0.6))
+    hands.move((0.5, 0.7))
+    hands.note(before_escape=hands.height())
+    hands.key(imgui.Key.escape)
+    hands.move((0.6, 0.5))
+    hands.note(escaped=hands.height())
+    hands.release()
+    hands.note(at_last=hands.height(), steps_at_last=len(session.journal.done), time_at_last=session.clock.time_s)
+
+
+def keys(hands: Hands) -> None:
+    """Modifiers while brushing, and the keys of ACTIONS."""
+    ctx, session = hands.ctx, hands.session
+    hands.key(imgui.Key.space)
+    hands.key(imgui.Key._1)
+    size = session.params["raise"].size_m
+    hands.key(imgui.Key.right_bracket)
+    hands.note(brush=session.brush, larger=session.params["raise"].size_m > size)
+    strength = session.params["raise"].strength
+    hands.key(SHIFT, imgui.Key.left_bracket)
+    hands.note(weaker=session.params["raise"].strength < strength)
+    for name, modifier in (("plain", None), ("inverted", CTRL), ("smoothed", SHIFT)):
+        before = hands.volume()
+        if modifier:
+            ctx.key_down(int(modifier))
+        hands.drag((0.5, 0.5), (0.56, 0.5))
+        if modifier:
+            ctx.key_up(int(modifier))
+        hands.note(**{name: [session.journal.done[-1].label, hands.volume() - before]})
+    hands.key(imgui.Key._2)
+    hands.note(second=session.brush)
+    hands.key(SHIFT, imgui.Key.w)
+    hands.note(water="water" in session.show)
+    hands.key(imgui.Key.n)
+    hands.note(walkable=hands.editor.walkable)
+    hands.key(ALT, imgui.Key._1)
+    hands.note(hidden=sorted(session.show.hidden))
+    time_s = session.clock.time_s
+    hands.key(imgui.Key.period)
+    hands.note(stepped=session.clock.time_s - time_s, step_s=session.clock.step_s)
+    ctx.item_click("//Viewport/###walkable")
+    hands.note(walkable_again=hands.editor.walkable)
+
+
+def look(hands: Hands) -> None:
+    """The camera by mouse; nothing of it touches the level. A still picture isn't drawn again."""
+    ctx, session = hands.ctx, hands.session
+    hands.key(imgui.Key.space)
+    start = hands.height()
+    cameras = [session.camera.model_dump()]
+    hands.drag((0.5, 0.5), (0.6, 0.55), button=MIDDLE)
+    cameras.append(session.camera.model_dump())
+    ctx.key_down(int(ALT))
+    hands.drag((0.5, 0.5), (0.45, 0.55))
+    ctx.key_up(int(ALT))
+    cameras.append(session.camera.model_dump())
+    hands.move((0.5, 0.5))
+    ctx.mouse_wheel_y(2)
+    ctx.yield_(3)
+    cameras.append(session.camera.model_dump())
+    hands.press((0.5, 0.5), RIGHT)
+    ctx.key_hold(int(imgui.Key.w), 0.3)
+    hands.note(water_while_flying="water" in session.show)
+    hands.release(RIGHT)
+    cameras.append(session.camera.model_dump())
+    hands.note(cameras=cameras, same=hands.height() == start, steps=len(session.journal.done))
+    hands.settle()
+    draws, frames = hands.window.picture.draws, imgui.get_frame_count()
+    ctx.yield_(20)
+    hands.note(still_draws=hands.window.picture.draws - draws, still_frames=imgui.get_frame_count() - frames)
+    drawn = hands.window.picture.drawn
+    hands.note(full=list(drawn.size), viewport=list(hands.window.viewport.size))
+
+
+def panels(hands: Hands) -> None:
+    """A slider drag is one step, history and timeline go where they are clicked, broken code costs one panel."""
+    ctx, session = hands.ctx, hands.session
+    hands.key(imgui.Key.space)
+    ctx.item_drag_with_delta("//Settings/**/shore.range_m/##value", (40, 0))
+    ctx.yield_(3)
+    hands.note(steps=[s.label for s in session.journal.done], range_m=session.level.settings.shore.range_m)
+    ctx.item_drag_with_delta("//Settings/**/shore.range_m/##value", (-20, 0))
+    ctx.yield_(3)
+    hands.note(steps_after_second=len(session.journal.done))
+    ctx.window_focus("//History")
+    ctx.yield_(2)
+    ctx.item_click("//History/**/###step_1")
+    ctx.yield_(3)
+    hands.note(went_to=len(session.journal.done), redoable=len(session.journal.undone))
+    item = ctx.item_info("//Timeline/###scrub")
+    left, right = item.rect_full.min, item.rect_full.max
+    ctx.mouse_move_to_pos((left.x + (right.x - left.x) / 2, (left.y + right.y) / 2))
+    ctx.mouse_click(0)
+    ctx.yield_(2)
+    hands.note(scrubbed_s=session.clock.time_s)
+    good, hands.record["told"] = history_panel.draw, ""
+
+    def broken(editor) -> None:
+        imgui.begin_child("half open")
+        imgui.push_id("left behind")
+        raise RuntimeError("the history broke")
+
+    history_panel.draw = broken
+    ctx.yield_(3)
+    history_panel.draw = good
+    hands.note(told=hands.editor.messages.lines[-1].text, failures=dict(hands.window.guard.failures))
+    ctx.yield_(3)
+    hands.note(healed=not hands.window.guard.failures)
+    renderer = hands.window.picture.renderer
+    renderer.draw = lambda *args, **named: 1 / 0
+    session.scrub(7.0)
+    ctx.yield_(3)
+    hands.note(picture_failed=hands.window.picture.failure, heights=hands.height())
+    hands.window.picture._failed_at = -1e9  # don't wait for the retry
+    ctx.yield_(3)
+    hands.note(picture_healed=hands.window.picture.drawn is not None)
+
+
+def killed(hands: Hands) -> None:
+    """The editor dies without a word after a stroke."""
+    hands.session.keep_log()
+    hands.key(imgui.Key.space)
+    hands.drag((0.42, 0.42), (0.55, 0.55))
+    hands.note(after=hands.height())
+    hands.session.recovery.settle()
+    write(hands.record)
+    os._exit(9)
+
+
+def restored(hands: Hands) -> None:
+    """The next start offers what the killed one had."""
+    hands.window.dialogs.offer_recovery()
+    hands.ctx.yield_(3)
+    hands.note(asked=hands.window.dialogs.form.text if hands.window.dialogs.form else "")
+    hands.ctx.item_click("//$FOCUSED/Restore")
+    hands.ctx.yield_(4)
+    hands.note(after=hands.height(), dirty=hands.session.dirty)
+    hands.ctx.key_press(int(CTRL) | int(imgui.Key.q))
+    hands.ctx.yield_(3)
+    hands.note(leaving=hands.window.dialogs.form.title, shall_exit=hands.editor.shall_exit)
+    hands.ctx.item_click("//$FOCUSED/Cancel")
+    hands.ctx.yield_(2)
+
+
+def write(record: dict) -> None:
+    Path(sys.argv[3]).write_text(json.dumps(record))
+
+
+def main() -> None:
+    scenario = globals()[sys.argv[1]]
+    hands: list[Hands] = []
+
+    def drive(ctx, window) -> None:
+        hands.append(Hands(ctx, window))
+        scenario(hands[0])
+
+    preferences = Preferences(window_width=SIZE[0], window_height=SIZE[1])
+    with Session.open(sys.argv[2]) as session:
+        editor_window.run(session, preferences, drive)
+    write(hands[0].record)
+
+
+if __name__ == "__main__":
+    main()
