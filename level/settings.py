@@ -45,11 +45,11 @@ class Shore(Section):
         0.30, 0.01, 2, "", "Length of the wave's back behind the line, in shore ranges.", soft=(0.05, 0.8)
     )
     fall: float = param(0.045, 0.005, 1, "", "Length of the falling crest before the front.", soft=(0.01, 0.3))
-    height_m: float = param(0.9, 0, 8, "m", "Height of the front where it stands highest.", soft=(0, 2))
+    height_m: float = param(1.2, 0, 8, "m", "Height of the front where it stands highest.", soft=(0, 2))
     draw_m: float = param(0.14, 0, 4, "m", "How deep the water is drawn down behind a wave.", soft=(0, 1))
     fade_in: float = param(0.25, 0.01, 1, "", "Over which part of the range a new front appears.")
     fade_out: float = param(0.06, 0.005, 1, "", "Over which part of the range a spent front disappears.")
-    variety: float = param(0.6, 0, 1, "", "How much the height of one wave varies along the shore.")
+    variety: float = param(0.5, 0, 1, "", "How much the height of one wave varies along the shore.")
     variety_m: float = param(45.0, 2, 2000, "m", "Length of that variation along the shore.", soft=(10, 200))
     stagger: float = param(
         0.0, 0, 2, "", "How far waves arrive earlier or later along the shore, in intervals.", soft=(0, 1)
