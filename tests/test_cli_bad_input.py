@@ -2,6 +2,7 @@
 
 import json
 import shutil
+import sys
 
 import numpy as np
 import pytest
@@ -225,6 +226,16 @@ def test_a_read_only_folder(place, capsys, monkeypatch):
     monkeypatch.setattr(transaction, "flush", refuse)
     assert main(["stroke", "beach.shore", "good.json"]) == 2
     assert "full" in capsys.readouterr().err
+    assert contents(place) == before
+
+
+@pytest.mark.skipif(not sys.platform.startswith("linux"), reason="X is Linux's")
+def test_a_display_that_does_not_answer(place, capsys, monkeypatch):
+    """A stale DISPLAY is bad input, found before the level is opened."""
+    monkeypatch.setenv("DISPLAY", ":987")
+    before = contents(place)
+    assert main(["edit", "beach.shore"]) == 2
+    assert ":987" in capsys.readouterr().err
     assert contents(place) == before
 
 
