@@ -32,9 +32,7 @@ def _need_display() -> None:
     if not has_display():
         raise BadInput(f"there is no display to open a window on; set DISPLAY, or {instead}")
     if not _display_answers():
-        raise BadInput(
-            f"the display {os.environ['DISPLAY']} does not answer; set another DISPLAY, or {instead}"
-        )
+        raise BadInput(f"the display {os.environ['DISPLAY']} does not answer; set another DISPLAY, or {instead}")
 
 
 def _display_answers() -> bool:
