@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from cove_rock import LEDGES, STACKS, hills, rocks
 from noise_ops import fbm, ridged, smooth_max, smooth_min, smoothstep, warp
-from rock_ops import cliffs, ribs, stacks
+from rock_ops import bare_rock, cliffs, ribs, stacks
 from scipy import ndimage
 from scipy.interpolate import PchipInterpolator
 from terrain_ops import Curve, crumble, points
@@ -121,5 +121,6 @@ def height(seed: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     rock = stacks(x, y, rock, STACKS, seed + 40, seed + 36)
     rock, scree = crumble(rock, np.zeros_like(rock), 2.6, 0.68, 1.0, 30)
     ground = smooth_max(rock + ndimage.gaussian_filter(scree, 0.7), sand, 0.5)
-    ground = ribs(x, y, ground, LEDGES, seed + 70)
-    return rocks(maps, ground, seed), maps
+    ground = rocks(maps, ribs(x, y, ground, LEDGES, seed + 70), seed)
+    maps["stone"] = bare_rock(ground, sand) * smoothstep(70, 40, maps["inland"])
+    return ground, maps

@@ -19,13 +19,30 @@ def disc(x, y, east: float, north: float, radius: float, seed: int) -> np.ndarra
     return smoothstep(radius, 0.6 * radius, away)
 
 
+def bowl(x, y, east: float, north: float, radius: float) -> np.ndarray:
+    """1 in the middle, 0 with no slope at the rim."""
+    away = (np.square(x - east) + np.square(y - north)) / (radius * radius)
+    return np.square(np.maximum(1 - away, 0))
+
+
+def lay_stone(level: Level, stone: np.ndarray) -> None:
+    """Paint bare rock as rock, in the tiles that have any: the rules take flat rock by the sea for sand."""
+    for tile in level.grid.tiles(level.grid.rect):
+        rect = level.grid.tile_rect(tile)
+        if stone[rect.slices].max() > 0.02:
+            cover = np.zeros((*rect.shape, 4))
+            cover[..., 1] = 0.95 * stone[rect.slices]
+            level.write("cover", rect, cover)
+
+
 def paint(level: Level, maps: dict[str, np.ndarray], seed: int) -> None:
     """Write a patch to each layer; `maps` are those that `cove.height` returns."""
     rows, cols = level.grid.shape
     x, y = np.meshgrid(np.arange(cols, dtype=float), np.arange(rows, dtype=float))
-    hollow = disc(*at(MOUTH, x, y), 557, 449, 6, seed) - 0.5 * disc(*at(MOUTH, x, y), 563, 443, 5, seed + 15)
-    level.write("height", MOUTH, level.height[MOUTH.slices] - 0.4 * hollow)
+    hollow = bowl(*at(MOUTH, x, y), 557, 450, 8) - 0.45 * bowl(*at(MOUTH, x, y), 565, 443, 7)
+    level.write("height", MOUTH, level.height[MOUTH.slices] - 0.5 * hollow)
     river(level, {name: values[VALLEY.slices] for name, values in maps.items()}, *at(VALLEY, x, y), seed)
+    lay_stone(level, maps["stone"])
     near = {name: values[MOUTH.slices] for name, values in maps.items()}
     beach(level, near, *at(MOUTH, x, y), seed)
     blots(level, near, *at(MOUTH, x, y), seed)
@@ -73,9 +90,8 @@ def beach(level: Level, near: dict, x, y, seed: int) -> None:
     first, _, _ = worley(*warp(x, y, 12, 2.5, seed + 16), 5.0, seed + 6)
     tufts = smoothstep(0.55, 0.2, first) * smoothstep(34, 48, inland) * smoothstep(9, 15, aside)
     wet = smoothstep(11, 6, aside) * smoothstep(3, 12, inland)
-    ledge = 0.9 * disc(x, y, 508, 432, 12, seed + 7) * smoothstep(-0.8, 0.0, level.height[MOUTH.slices])
-    cover = np.stack([np.zeros_like(x), ledge, 0.9 * tufts, 0.7 * wet], axis=-1)
-    level.write("cover", MOUTH, cover)
+    rock = 0.95 * near["stone"]
+    level.write("cover", MOUTH, np.stack([np.zeros_like(x), rock, 0.9 * tufts, 0.7 * wet], axis=-1))
     level.write("yielding", MOUTH, smoothstep(2, 9, inland) * smoothstep(46, 34, inland) * smoothstep(16, 21, aside))
     level.write("quiet", MOUTH, disc(x, y, 551, 438, 13, seed + 8))
 

@@ -46,7 +46,7 @@ def hills(maps: dict[str, np.ndarray], ground: np.ndarray, seed: int) -> np.ndar
     cut = cut_valleys(rough, fixed, 2.0, 200, 0.042, 0.095)
     slipped, soil = crumble(cut, np.zeros_like(cut), 0.85, 0.62, 2.0, 40)
     turf = 0.6 * fbm(x, y, 22, 4, seed + 29)
-    return np.where(top < ground, top, upsample(slipped + soil, x.shape) + turf)
+    return top + (upsample(slipped + soil, x.shape) + turf - top) * smoothstep(0, 2.5, top - ground)
 
 
 def rocks(maps: dict[str, np.ndarray], height: np.ndarray, seed: int) -> np.ndarray:

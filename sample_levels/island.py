@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import numpy as np
 from noise_ops import fbm, ridged, smooth_max, smoothstep, warp, worley
-from rock_ops import boulders, cliffs, ribs, stacks
+from rock_ops import bare_rock, boulders, cliffs, ribs, stacks
 from scipy import ndimage
 from scipy.interpolate import PchipInterpolator
 from terrain_ops import Curve, crumble, cut_valleys, points, upsample
@@ -124,7 +124,7 @@ def volcano(maps: dict[str, np.ndarray], ground: np.ndarray, seed: int) -> np.nd
     cut = cut - crater(maps["x"][::2, ::2], maps["y"][::2, ::2], seed)
     slipped, soil = crumble(cut, np.zeros_like(cut), 0.8, 0.62, 2.0, 80)
     turf = 0.8 * fbm(x, y, 20, 4, seed + 33)
-    return np.where(top < ground, top, upsample(slipped + soil, x.shape) + turf)
+    return top + (upsample(slipped + soil, x.shape) + turf - top) * smoothstep(0, 2.5, top - ground)
 
 
 def crater(x, y, seed: int) -> np.ndarray:
@@ -156,5 +156,7 @@ def height(seed: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     rock = np.where(maps["coast"] < -40, np.minimum(rock, ground), rock)
     rock = stacks(x, y, rock, STACKS, seed + 70, seed + 66)
     rock, scree = crumble(rock, np.zeros_like(rock), 2.6, 0.68, 1.0, 30)
-    ground = smooth_max(rock + ndimage.gaussian_filter(scree, 0.7), ground, 0.5)
-    return rocks(maps, ribs(x, y, ground, LEDGES, seed + 80), seed), maps
+    whole = smooth_max(rock + ndimage.gaussian_filter(scree, 0.7), ground, 0.5)
+    whole = rocks(maps, ribs(x, y, whole, LEDGES, seed + 80), seed)
+    maps["stone"] = bare_rock(whole, ground) * smoothstep(60, 30, maps["inland"])
+    return whole, maps

@@ -20,7 +20,7 @@ STEP_M = 1 / 1024  # heights are whole multiples of it: the same on every machin
 COVE_CAMERAS = [
     Camera(id="play", x=589, y=449, z=60, yaw_deg=260, pitch_deg=-55, fov_deg=48),
     Camera(id="beach", x=661, y=404, z=2.1, yaw_deg=129, pitch_deg=5, fov_deg=42),
-    Camera(id="survey", x=440, y=885, z=300, yaw_deg=172, pitch_deg=-24, fov_deg=52),
+    Camera(id="survey", x=440, y=836, z=300, yaw_deg=174, pitch_deg=-22, fov_deg=50),
 ]
 COVE_SETTINGS = {
     "level.seed": SEED,
@@ -35,7 +35,7 @@ COVE_SETTINGS = {
 ISLAND_CAMERAS = [
     Camera(id="play", x=750, y=238, z=60, yaw_deg=248, pitch_deg=-55, fov_deg=45),
     Camera(id="beach", x=647, y=232, z=2.3, yaw_deg=304, pitch_deg=7, fov_deg=46),
-    Camera(id="survey", x=760, y=-110, z=300, yaw_deg=338, pitch_deg=-23, fov_deg=52),
+    Camera(id="survey", x=860, y=-140, z=300, yaw_deg=333, pitch_deg=-20.5, fov_deg=46),
 ]
 ISLAND_SETTINGS = {
     "level.seed": SEED + 4,
@@ -79,8 +79,11 @@ def make_cove(seed: int = SEED) -> Level:
 
 
 def make_island(seed: int = SEED + 4) -> Level:
-    """The volcano, its lagoon, reef and spit; nothing is painted here, so every layer but the base is neutral."""
-    return build(island.height(seed)[0], ISLAND_SETTINGS, ISLAND_CAMERAS)
+    """The volcano, its lagoon, reef and spit; only bare rock is painted, every other layer is neutral."""
+    ground, maps = island.height(seed)
+    level = build(ground, ISLAND_SETTINGS, ISLAND_CAMERAS)
+    cove_paint.lay_stone(level, maps["stone"])
+    return level
 
 
 LEVELS = {"cove": make_cove, "island": make_island}

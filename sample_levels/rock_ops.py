@@ -6,7 +6,7 @@
 from __future__ import annotations
 
 import numpy as np
-from noise_ops import fbm, ridged, smoothstep, warp, worley
+from noise_ops import fbm, ridged, smooth_min, smoothstep, warp, worley
 from scipy import ndimage
 
 BED_M = 7.0  # thickness of a bed of rock: ledges of two or three metres at 1 m cells
@@ -92,23 +92,36 @@ def ribs(x, y, ground, table: np.ndarray, seed: int) -> np.ndarray:
     return ground
 
 
+def bare_rock(ground, sand) -> np.ndarray:
+    """0 … 1 where rock that is washed by the sea comes through the sand: platforms, ledges, boulders, reefs."""
+    return smoothstep(0.06, 0.35, ground - sand) * smoothstep(7, 3, ground)
+
+
 def boulders(height, places: np.ndarray, seed: int) -> np.ndarray:
     """Rocks half sunk where they lie: `places` rows are (x, y, radius, height) metres on a 1 m grid."""
     height = height.copy()
     rng = np.random.default_rng(seed)
     for x, y, radius, tall in places:
-        turn, flat, lean = rng.random(3)
-        reach = int(radius * 1.5) + 2
+        angle, cuts, flat = rng.random(7) * 0.6, rng.random(7), rng.random(2)
+        reach = int(radius * 1.6) + 2
         row, col = int(y), int(x)
         if not (reach < row < height.shape[0] - reach and reach < col < height.shape[1] - reach):
             continue
-        patch = height[row - reach : row + reach + 1, col - reach : col + reach + 1]
+        patch = height[window(row, col, reach)]
         side = np.arange(-reach, reach + 1.0)
-        dy, dx = side[:, None] + (row - y), side[None, :] + (col - x)
-        cosine, sine = 1 - 2 * turn, 2 * np.sqrt(turn * (1 - turn))
-        u, v = (cosine * dx + sine * dy) / radius, (cosine * dy - sine * dx) / (radius * (0.6 + 0.4 * flat))
-        q = np.maximum(np.abs(u), np.abs(v)) * 0.55 + np.sqrt(u * u + v * v) * 0.45  # between a block and an egg
-        top = tall * np.clip(1.15 - q * q * q, -1, 1) * (1 + 0.3 * (lean - 0.5) * u)
+        dx, dy = (side[None, :] + (col - x)) / radius, (side[:, None] + (row - y)) / radius
+        top = 1 + 0.5 * (flat[0] - 0.5) * dx + 0.5 * (flat[1] - 0.5) * dy  # broken off flat, a little aslant
+        for face in range(7):  # and split along planes all round
+            east, north = _heading((face + angle[face]) / 7)
+            top = smooth_min(top, (1.05 - (east * dx + north * dy)) * (1.0 + 2.2 * cuts[face]), 0.12)
         foot = ndimage.minimum(patch) * 0.35 + float(patch[reach, reach]) * 0.65
-        np.maximum(patch, np.where(q < 1.05, foot + top, patch), out=patch)
+        np.maximum(patch, np.where(top > -0.4, foot + tall * top, patch), out=patch)
     return height
+
+
+def _heading(part: float) -> tuple[float, float]:
+    """(east, north) of a part 0 … 1 of a turn, without sine: a point on a diamond, brought to unit length."""
+    quarter, along = divmod(part * 4, 1)
+    east, north = ((1 - along, along), (-along, 1 - along), (along - 1, -along), (along, along - 1))[int(quarter) % 4]
+    length = np.sqrt(east * east + north * north)
+    return east / length, north / length
