@@ -59,8 +59,7 @@ def _clearance(level: Level, origin, direction, t) -> np.ndarray:
 
 def _inside(level: Level, origin, direction) -> tuple[float, float] | None:
     """The part of the ray inside the level's box, or None."""
-    height = level.height
-    floor, top = float(height.min()) - 1.0, float(height.max()) + 1.0
+    floor, top = _height_range(level)
     low, high = 0.0, math.inf
     for start, way, first, last in zip(origin, direction, (0.0, 0.0, floor), (*level.grid.extent_m, top), strict=True):
         if abs(way) < 1e-12:
@@ -70,3 +69,14 @@ def _inside(level: Level, origin, direction) -> tuple[float, float] | None:
         near, far = sorted(((first - start) / way, (last - start) / way))
         low, high = max(low, near), min(high, far)
     return (low, high) if low < high < math.inf else None
+
+
+def _height_range(level: Level) -> tuple[float, float]:
+    """Heights the ground stays between, with a metre to spare; widened by what changed, never searched again."""
+    at, low, high = level.derived.get("pick_range", (-1, math.inf, -math.inf))
+    if at != level.layer_revision("height"):
+        for rect in level.changed_since("height", at) if at >= 0 else [level.grid.rect]:
+            part = level.layers["height"].read(rect)
+            low, high = min(low, float(part.min())), max(high, float(part.max()))
+        level.derived["pick_range"] = level.layer_revision("height"), low, high
+    return low - 1.0, high + 1.0
