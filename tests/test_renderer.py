@@ -1,7 +1,10 @@
 """The frame: drawn surface against the twin, same time same bytes, no gaps, no NaN, uploads by rectangle."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+from shorewright.io import read_level
 from shorewright.level import Clock, Grid, Level, Rect
 from shorewright.level.objects import Camera
 from shorewright.level.waves import sea_at
@@ -11,6 +14,7 @@ from shorewright.renderer.upload import Uploader
 
 pytestmark = pytest.mark.gl
 SIZE = (128, 72)
+SAMPLES = Path(__file__).parents[1] / "sample_levels"
 SEA_BLUE = np.array([0.1, 0.35, 0.75], np.float32)  # the material view's colour of the sea
 
 
@@ -49,6 +53,22 @@ def test_drawn_surface_is_the_twins_within_3_cm(renderer, quality, time_s, place
     x, y, z = position[near_sea].T
     error = np.abs(sea_at(level, time_s, x, y).height_m - z)
     assert error.max() < 0.03
+
+
+@pytest.mark.parametrize("name", ["cove", "island"])
+@pytest.mark.parametrize("where", ["beach", "play"])
+def test_drawn_surface_of_the_sample_levels_is_the_twins_within_3_cm(renderer, name, where):
+    """The same among the rocks of a real coast (D30)."""
+    level = read_level(SAMPLES / f"{name}.shore")
+    place = level.camera(where)
+    options = {"size": (256, 144), "time_s": 12.0, "linear": True, "renderer": renderer}
+    position = render(level, place, view="position", **options).astype(np.float64)
+    material = render(level, place, view="material", **options)
+    away = np.linalg.norm(position - [place.x, place.y, place.z], axis=-1)
+    near_sea = (np.abs(material - SEA_BLUE).max(axis=-1) < 0.01) & (away < 100)
+    assert near_sea.sum() > 1000
+    x, y, z = position[near_sea].T
+    assert np.abs(sea_at(level, 12.0, x, y).height_m - z).max() < 0.03
 
 
 def test_before_and_after_coordinates_agree_with_the_twin(renderer):

@@ -77,7 +77,7 @@ def test_views_show_what_they_say(scene):
 @pytest.mark.parametrize("name", SHOW_FLAGS)
 def test_every_flag_changes_the_picture_and_leaves_no_trace(scene, name):
     """Off changes something, on again gives the same bytes (T11)."""
-    near = {"camera": SHALLOWS, "size": (320, 180)} if name == "refraction" else {}
+    near = {"camera": SHALLOWS, "size": (320, 180)} if name in ("refraction", "caustics") else {}
     before = picture(scene, **near)
     off = picture(scene, show=Show.hide(name), **near)
     assert not np.array_equal(before, off)

@@ -51,8 +51,9 @@ uniform float u_cell_m;
 uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it sinks
 uniform float u_water_roughness, u_water_specular;
 uniform float u_swell_length_m, u_wave_slope;  // root of the mean square slope of the offshore waves
-const int REFINEMENTS = 3;
-const float MOST_REFINED_M = 1.5;
+const int REFINEMENTS = 3, STEPS = 12, HALVINGS = 10;
+const float MOST_REFINED_M = 1.5, NEAR_ENOUGH_M = 0.02;
+const float SEARCH_M = 120.0;  // up to here the drawn surface is the twin's within 3 cm
 const float FARTHEST_M = 4e6;  // where the plane ends for float32's sake
 uniform bool u_show_procedural_foam, u_show_painted_foam, u_show_refraction;
 #ifndef HORIZON
@@ -90,21 +91,58 @@ void fade_surf(inout Sea sea) {
     sea.bed.sea.x *= share;
 }
 
+// The wave where the pixel's ray is `way` metres beyond `start`; returns how far the ray is above it.
+float above_wave(vec3 start, vec3 along, float way, inout vec2 before, out Sea sea) {
+    vec3 point = start + along * way;
+    sea = sea_surface(before);
+    vec2 off = point.xy + u_camera.xy - sea.position.xy;
+    before += off;
+    return point.z + u_camera.z - sea.position.z + dot(sea.normal.xy, off) / max(sea.normal.z, 0.1);
+}
+
+// Steep waves: look along the ray for where it goes under, then halve. False where it passes over the wave.
+bool search_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
+    vec3 start = relative, along = normalize(relative);
+    float low = -MOST_REFINED_M, high = MOST_REFINED_M;
+    vec2 at = before + along.xy * low, found = at;
+    float first = above_wave(start, along, low, at, sea);
+    bool crossed = false;
+    for (int i = 1; i <= STEPS + HALVINGS; ++i) {
+        bool searching = !crossed && i <= STEPS;
+        if (!crossed && !searching) break;
+        float way = searching ? MOST_REFINED_M * (2.0 * float(i) / float(STEPS) - 1.0) : 0.5 * (low + high);
+        at = searching ? at + along.xy * (2.0 * MOST_REFINED_M / float(STEPS)) : at;
+        bool over = above_wave(start, along, way, at, sea) * first > 0.0;
+        if (over) low = way;
+        else high = way;
+        crossed = crossed || !over;
+    }
+    float way = 0.5 * (low + high);
+    relative = start + along * way;
+    before = at;
+    return crossed && abs(above_wave(start, along, way, at, sea)) < NEAR_ENOUGH_M;
+}
+
 // The mesh is off the wave by its curvature between vertices: go along the pixel's ray to where it meets the plane that
-// touches the wave, take the wave there, again. Kept where the ray only grazes or the waves lie down.
+// touches the wave, take the wave there, again. Kept where the ray only grazes, or far off; discarded where it misses.
 void onto_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
-    vec3 start = relative;
+    vec3 start = relative, along = normalize(relative);
+    vec2 first = before;
     for (int i = 0; i < REFINEMENTS; ++i) {
-        vec3 off = sea.position - u_camera - relative;
-        float grazing = dot(normalize(relative), sea.normal);
-        float way = dot(off, sea.normal) / (abs(grazing) > 0.02 ? grazing : 0.02);
-        vec3 there = relative + normalize(relative) * way;
+        float grazing = dot(along, sea.normal);
+        float way = dot(sea.position - u_camera - relative, sea.normal) / (abs(grazing) > 0.02 ? grazing : 0.02);
+        vec3 there = relative + along * way;
         if (length(there - start) > MOST_REFINED_M || abs(grazing) <= 0.02 || dot(there, u_forward) <= 0.0) break;
         before += there.xy - (sea.position.xy - u_camera.xy);
         relative = there;
-        if (abs(way) < 2e-3) break;
+        if (abs(way) < 2e-3) return;
         sea = sea_surface(before);
     }
+    relative = start;
+    before = first;
+    vec2 at = first;
+    bool fine = abs(above_wave(start, along, 0.0, at, sea)) < NEAR_ENOUGH_M || length(start) > SEARCH_M;
+    if (!fine && !search_surface(relative, before, sea)) discard;
 }
 
 void main() {

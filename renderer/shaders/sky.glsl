@@ -8,13 +8,14 @@ void main() { fullscreen_triangle(); }
 #ifdef FRAGMENT
 #include "lib/sky.glsl"
 uniform sampler2D g_eye_depth;
-uniform bool u_show_sky;
+uniform bool u_show_sky, u_show_clouds;
 out vec4 out_radiance;
 
 void main() {
     if (texelFetch(g_eye_depth, ivec2(gl_FragCoord.xy), 0).r > 0.0) discard;
     vec3 way = normalize(pixel_ray());
-    vec3 sky = sky_radiance(way) + sky_cirrus(way) + sun_disc(way);
+    vec3 sky = sky_radiance(way) + sun_disc(way);
+    if (u_show_clouds) sky += sky_cirrus(way);
     out_radiance = vec4(u_show_sky ? min(sky, 60000.0) : vec3(0.0), 1.0);
 }
 #endif

@@ -31,11 +31,13 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float pixel_m) {
                    surface_flow(sea), u_sun_direction.xy, pixel_m);
 }
 
+uniform bool u_show_caustics;
+
 // Bright lines that waves draw on the bed: edges of foam cells are the same curves as caustics. Mean 1.
 float caustics(vec2 xy, float depth, float pixel_m) {
     float strength = smoothstep(0.05, 0.5, depth) * exp(-0.22 * depth) * u_sun_direction.z;
     float lod = log2(max(pixel_m * FOAM_TEXELS / 5.2, 1e-4));
-    strength *= 1.0 - smoothstep(1.5, 4.0, lod);
+    strength *= u_show_caustics ? 1.0 - smoothstep(1.5, 4.0, lod) : 0.0;
     if (strength < 0.01) return 1.0;
     lod = max(lod, 1.0) + 0.35 * depth;
     vec2 a = textureLod(u_foam, xy / 5.2 + u_ripple_way[1].zz * vec2(0.6, 1.0), lod).rg;
