@@ -15,7 +15,7 @@ lint: setup
 	@$(VENV)/ruff check . && $(VENV)/ruff format --check . && $(VENV)/lint-imports --no-cache
 
 bench: setup
-	@$(VENV)/shorewright bench
+	@$(VENV)/shorewright bench -o bench.json
 
 pictures: setup
 	@$(VENV)/python sample_levels/pictures.py

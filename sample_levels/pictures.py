@@ -7,15 +7,20 @@ from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 PICTURES = ROOT / "docs" / "pictures"
-MORNING = {"light.sun_azimuth_deg": 250.0, "light.sun_elevation_deg": 24.0, "light.exposure_ev": 13.8}
+EVENING = {
+    "light.sun_azimuth_deg": 255.0,
+    "light.sun_elevation_deg": 12.0,
+    "light.exposure_ev": 12.9,
+    "shore.height_m": 1.4,
+}
 
 # name, level, camera (a name, or x, y, z, yaw, pitch), view, time, settings
 SHOTS = (
-    ("cove", "cove", "330,400,9,72,-8", "final", 15.0, {}),
+    ("cove", "cove", "612,420,2.4,113,0", "final", 14.3, EVENING),
     ("cove-play", "cove", "play", "final", 14.0, {}),
     ("cove-beach", "cove", "beach", "final", 14.0, {}),
     ("cove-survey", "cove", "survey", "final", 14.0, {}),
-    ("cove-evening", "cove", "690,470,16,255,-10", "final", 15.0, MORNING),
+    ("cove-against-light", "cove", "560,432,5,250,-5", "final", 14.3, EVENING),
     ("cove-lines", "cove", "play", "wave_line", 14.0, {}),
     ("cove-walkable", "cove", "survey", "walkable", 14.0, {}),
     ("island-survey", "island", "survey", "final", 14.0, {}),

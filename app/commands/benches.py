@@ -20,7 +20,7 @@ REGRESSION = 1.5  # times the last committed ratio
 def bench(
     *names: str,
     as_json: Json = False,
-    output: Annotated[Path, Parameter(name=["--output", "-o"], help="Where --json also writes.")] = Path("bench.json"),
+    output: Annotated[Path | None, Parameter(name=["--output", "-o"], help="Write the rows here as JSON.")] = None,
 ) -> int:
     """Measure what a checkout promises, as ratios.
 
@@ -33,12 +33,13 @@ def bench(
     if not rows:
         known = ", ".join(path.stem.removeprefix("bench_") for path in files)
         raise BadInput(f"no bench has {' or '.join(names)} in its name; there are: {known}")
-    before = _before(output)
+    before = _before(output or FOLDER.parents[1] / "bench.json")
     for row in rows:
         row["over"] = row.get("limit") is not None and row["ratio"] > row["limit"]
         row["worse"] = row["name"] in before and row["ratio"] > REGRESSION * before[row["name"]]
-    if as_json:
+    if output:
         output.write_text(json.dumps(rows, indent=1, ensure_ascii=False) + "\n", "utf-8")
+    if as_json:
         put_json(rows)
     else:
         put_table([_line(row) for row in rows])
