@@ -81,10 +81,10 @@ def fly(camera: Camera, keys: Collection[str], seconds: float, speed_mps: float)
     return camera if length < 1e-9 else moved(camera, place(camera) + way / length * speed_mps * seconds)
 
 
-def fly_speed_mps(level: Level, camera: Camera) -> float:
-    """A speed that suits how high the camera stands over the ground or sea: slow at the swash, fast from above."""
+def fly_speed_mps(level: Level, camera: Camera, preferred_mps: float = 15.0) -> float:
+    """A speed that suits how high the camera stands over ground or sea: slow at the swash, `preferred` at 16 m."""
     ground = max(float(ground_at(level, camera.x, camera.y)), level.sea_level_m)
-    return min(max(abs(camera.z - ground) * 0.9, 4.0), max(level.grid.extent_m) * 0.5 + 4.0)
+    return min(max(abs(camera.z - ground) / 16, 0.25), max(level.grid.extent_m) / 32 + 0.25) * preferred_mps
 
 
 def above_ground(level: Level, camera: Camera, clearance_m: float = 0.35) -> Camera:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from imgui_bundle import hello_imgui, imgui
 
+VERSION = 1  # another number forgets the layouts people saved, as after a change of PANELS
 BRUSHES_PX = 80
 SIDE_PX = 326
 TIMELINE_PX = 46
@@ -41,16 +42,18 @@ PANELS: tuple[Panel, ...] = (
 )
 
 
-def docking(draws: dict[str, Callable[[], None]], size: tuple[int, int]) -> hello_imgui.DockingParams:
-    """The layout for a window of `size` pixels; `draws` by panel name."""
+def docking(
+    draws: dict[str, Callable[[], None]], size: tuple[int, int], scale: float = 1.0
+) -> hello_imgui.DockingParams:
+    """The layout for a window of `size` pixels with widgets `scale` times as large; `draws` by panel name."""
     params = hello_imgui.DockingParams()
     params.layout_name = "Shorewright"
-    params.docking_splits = _splits(size)
+    params.docking_splits = _splits((size[0] / scale, size[1] / scale))
     params.dockable_windows = [_window(panel, draws[panel.name]) for panel in PANELS]
     return params
 
 
-def _splits(size: tuple[int, int]) -> list[hello_imgui.DockingSplit]:
+def _splits(size: tuple[float, float]) -> list[hello_imgui.DockingSplit]:
     width, height = max(size[0], 640), max(size[1] - 60, 360)
     bare = imgui.internal.DockNodeFlagsPrivate_.no_tab_bar
     split = hello_imgui.DockingSplit

@@ -14,7 +14,7 @@ from .governor import Governor
 log = logging.getLogger(__name__)
 SETTLE_S = 0.22  # a still picture is drawn at full size after this long without a change
 STILL_STEP = 2.0  # it grows by this much a time, so that something sharper is seen soon
-LONGEST_STILL_S = 4.0  # and no larger than what should take this long
+LONGEST_STILL_S = 6.0  # and no larger than what should take this long
 WIDGETS_FIRST = 2  # frames with widgets only: the first picture waits for its shaders
 RETRY_S = 3.0  # after a failure
 

@@ -78,9 +78,10 @@ class bold:  # noqa: N801
             imgui.pop_font()
 
 
-def apply_style() -> None:
-    """Sizes and colours of every widget."""
+def apply_style(scale: float = 1.0) -> None:
+    """Sizes and colours of every widget; `scale` as preferred, on top of what the display asks for."""
     style = imgui.get_style()
+    style.font_scale_main = scale
     style.window_rounding = style.child_rounding = style.popup_rounding = 5
     style.frame_rounding = style.grab_rounding = style.tab_rounding = 4
     style.scrollbar_rounding, style.scrollbar_size = 6, 11
@@ -94,6 +95,7 @@ def apply_style() -> None:
     style.docking_node_has_close_button = False
     style.window_menu_button_position = imgui.Dir.none
     style.disabled_alpha = 0.45
+    style.scale_all_sizes(scale)
     for name, value in _colours().items():
         style.set_color_(int(getattr(imgui.Col_, name)), value)
 

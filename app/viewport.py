@@ -9,7 +9,7 @@ from . import theme
 from .editor import QUALITIES, Editor
 from .param_widgets import tooltip
 from .picture import Picture
-from .viewport_overlay import Overlay
+from .viewport_overlay import Overlay, stroke_text
 from .viewport_pointer import Pointer
 
 _FLAGS = imgui.ButtonFlags_
@@ -58,6 +58,8 @@ class Viewport:
             stroke = session.stroke
             invert = stroke.invert if stroke else io.key_ctrl
             overlay.ring(session.cursor, invert, stroke.smooth if stroke else io.key_shift)
+            if stroke:
+                overlay.beside_pointer(stroke_text(self.editor.probe()))
         if self.picture.drawn is None and not self.picture.failure:
             overlay.corner_text("Preparing the picture…")
         elif self.picture.failure:

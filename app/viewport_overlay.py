@@ -8,7 +8,7 @@ from imgui_bundle import imgui
 from . import theme
 from .brush_ring import ScreenLine, along, circle, on_screen
 from .editor import Editor
-from .probe import speed
+from .probe import Probe, speed
 
 HIDDEN_ALPHA = 0.22
 SHADE = (0.03, 0.04, 0.05)
@@ -67,7 +67,8 @@ class Overlay:
         self.beside_pointer(ramp_text(preview))
 
     def beside_pointer(self, lines: list[str]) -> None:
-        """A small text plate near the pointer that stays inside the viewport."""
+        """Up to three short lines on a plate near the pointer that stays inside the viewport."""
+        inks = [ink for ink, text in zip((theme.INK, theme.WARM, theme.INK_FAINT), lines) if text]
         lines = [text for text in lines if text]
         if not lines:
             return
@@ -78,8 +79,7 @@ class Overlay:
         corner = np.minimum(corner, self.origin + self.size - (width + 6, height + 6))
         self.plate(corner, (width, height), 0.82)
         y = corner[1] + 6
-        for number, (text, size) in enumerate(zip(lines, sizes, strict=True)):
-            ink = (theme.INK, theme.WARM)[number] if number < 2 else theme.INK_FAINT
+        for ink, text, size in zip(inks, lines, sizes):
             self.draw_list.add_text(imgui.ImVec2(corner[0] + 8, y), theme.packed(ink), text)
             y += size.y + 2
 
@@ -123,6 +123,15 @@ def ramp_text(preview: dict) -> list[str]:
         told,
         f"{first_m:.2f} m to {last_m:.2f} m over {preview['length_m']:.1f} m",
     ]
+
+
+def stroke_text(probe: Probe | None) -> list[str]:
+    """What brushing makes of the ground under the pointer: steeper slows a front, flatter lets it run (D31)."""
+    if probe is None:
+        return []
+    place = f"depth {probe.depth_m:.2f} m" if probe.depth_m > 0 else f"{-probe.depth_m:.2f} m over the sea"
+    front = f"wave front {speed(probe.front_mps)}" if probe.front_mps is not None else ""
+    return [f"slope {probe.slope_deg:.1f}°", front, place]
 
 
 def _runs(wanted: np.ndarray) -> list[tuple[int, int]]:

@@ -27,7 +27,6 @@ class Pointer:
         self.editor = editor
         self.mode = ""
         self.button = LEFT
-        self.fly_factor = 1.0
         self._pivot: np.ndarray | None = None
         self._picked: tuple = (None, None)
 
@@ -120,12 +119,13 @@ class Pointer:
             self.editor.move_camera(control.above_ground(level, camera))
 
     def _fly(self, io, camera, delta):
+        preferred = self.editor.preferences
         if delta.x or delta.y:
             camera = control.turn(camera, delta.x, delta.y)
         if io.mouse_wheel:
-            self.fly_factor = min(max(self.fly_factor * 1.2**io.mouse_wheel, 0.05), 40.0)
+            preferred.fly_speed_mps = min(max(preferred.fly_speed_mps * 1.2**io.mouse_wheel, 0.5), 900.0)
         level = self.editor.session.level
-        speed = control.fly_speed_mps(level, camera) * self.fly_factor * (FASTER if io.key_shift else 1.0)
+        speed = control.fly_speed_mps(level, camera, preferred.fly_speed_mps) * (FASTER if io.key_shift else 1.0)
         held = {name for name, key in FLY.items() if imgui.is_key_down(key)}
         return control.fly(camera, held, min(io.delta_time, 0.1), speed)
 

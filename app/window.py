@@ -85,11 +85,13 @@ class Window:
         params.imgui_window_params.show_status_fps = False
         params.imgui_window_params.remember_status_bar_settings = False
         params.ini_folder_type = hello_imgui.IniFolderType.app_user_config_folder
-        params.ini_filename = "shorewright/window.ini"
+        params.ini_filename = f"shorewright/window-{layout.VERSION}.ini"
         params.ini_disable = self.drive is not None
         params.renderer_backend_options.open_gl_options = _opengl_41()
         params.fps_idling.fps_idle = STILL_FPS
-        params.docking_params = layout.docking(self._panels(), (preferences.window_width, preferences.window_height))
+        params.docking_params = layout.docking(
+            self._panels(), (preferences.window_width, preferences.window_height), preferences.ui_scale
+        )
         self._callbacks(params.callbacks)
         if self.drive:
             params.use_imgui_test_engine = True
@@ -115,7 +117,7 @@ class Window:
     def _callbacks(self, callbacks: hello_imgui.RunnerCallbacks) -> None:
         callbacks.load_additional_fonts = theme.load_fonts
         callbacks.setup_imgui_config = _configure
-        callbacks.setup_imgui_style = theme.apply_style
+        callbacks.setup_imgui_style = lambda: theme.apply_style(self.editor.preferences.ui_scale)
         callbacks.post_init = self._started
         callbacks.before_exit = self._ending
         callbacks.confirm_exit = self._may_close

@@ -135,6 +135,25 @@ def test_panels_and_broken_code(drive):
     assert found["picture_healed"]
 
 
+def test_files_by_dialog(drive):
+    """Save as, export and open by typed paths; what cannot be opened is told in the dialog."""
+    original = ground(drive.path)
+    found = drive("files")
+    saved = drive.path.parent / "other.shore"
+    assert found["path"] == str(saved)
+    assert not found["dirty"]
+    assert ground(saved) == found["height"] != original
+    assert found["suggested"].endswith("other_raw")
+    assert any(name.endswith(".glb") for name in found["exported"])
+    assert "nowhere.shore" in found["error"]
+    assert found["still_open"]
+    assert found["reopened"] == str(drive.path)
+    assert found["closed"]
+    assert found["original"] == original
+    assert found["picture"] == ""
+    assert found["recent"] == [str(drive.path), str(saved)]
+
+
 def test_a_killed_editor_offers_what_it_had(drive):
     """T08: at most the stroke in progress is lost; leaving with unsaved work asks first."""
     killed = drive("killed", code=9)

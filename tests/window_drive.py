@@ -221,6 +221,33 @@ def panels(hands: Hands) -> None:
     hands.note(picture_healed=hands.window.picture.drawn is not None)
 
 
+def files(hands: Hands) -> None:
+    """Save as, export and open through the dialogs, by typed paths; a bad path is told and the dialog stays."""
+    ctx, folder = hands.ctx, Path(sys.argv[2]).parent
+    hands.key(imgui.Key.space)
+    hands.drag((0.42, 0.42), (0.55, 0.55))
+    hands.key(CTRL, SHIFT, imgui.Key.s)
+    ctx.item_input_value("//$FOCUSED/###save_path", str(folder / "other"))  # ends with Enter, which confirms
+    ctx.yield_(4)
+    hands.note(path=str(hands.session.path), dirty=hands.session.dirty, height=hands.height())
+    hands.key(CTRL, imgui.Key.e)
+    ctx.item_click("//$FOCUSED/###target_raw")
+    hands.note(suggested=hands.window.dialogs.form.field.text)
+    ctx.item_input_value("//$FOCUSED/###folder_path", str(folder / "out"))
+    ctx.yield_(4)
+    hands.note(exported=sorted(p.name for p in (folder / "out").iterdir()))
+    hands.key(CTRL, imgui.Key.o)
+    ctx.item_input_value("//$FOCUSED/###folder_path", str(folder / "nowhere.shore"))
+    ctx.yield_(4)
+    hands.note(error=hands.window.dialogs.error, still_open=hands.window.dialogs.open)
+    ctx.item_click("//$FOCUSED/###folder_path")
+    ctx.key_chars_replace(sys.argv[2])
+    ctx.item_click("//$FOCUSED/Open")
+    ctx.yield_(6)
+    hands.note(reopened=str(hands.session.path), closed=not hands.window.dialogs.open, original=hands.height())
+    hands.note(picture=hands.window.picture.failure, recent=hands.editor.preferences.recent)
+
+
 def killed(hands: Hands) -> None:
     """The editor dies without a word after a stroke."""
     hands.session.keep_log()
