@@ -83,6 +83,7 @@ def _rows() -> list[Action]:
             for n, flag in enumerate(SHOW_FLAGS.values())
             if 0 < n <= 10 and flag.name != "water"
         ),
+        Action("palette", "Find a command…", ("Ctrl+P",), "Edit", lambda s: s.ask("palette")),
         Action("frame", "Frame what is pointed at", ("F",), "View", Session.frame),
         Action("frame_all", "Frame the whole level", ("Shift+F",), "View", _frame_all),
         Action(

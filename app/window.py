@@ -19,6 +19,7 @@ from . import keys, layout, menus, status_bar, theme
 from .dialogs import Dialogs
 from .editor import Editor
 from .guard import Guard
+from .palette import Palette
 from .panels import brush_bar, history_panel, layers_panel, log_panel, settings_panel, views_panel
 from .picture import Picture
 from .preferences import Preferences, load
@@ -40,6 +41,7 @@ class Window:
         self.editor = Editor(session, preferences or load())
         self.guard = Guard()
         self.dialogs = Dialogs(self.editor)
+        self.palette = Palette(self.editor)
         self.timeline = Timeline(self.editor)
         self.picture: Picture | None = None
         self.viewport: Viewport | None = None
@@ -125,7 +127,7 @@ class Window:
         callbacks.show_menus = self.guard.wrap("Menus", lambda: menus.draw(self.editor))
         callbacks.show_status = self.guard.wrap("Status bar", lambda: status_bar.draw(self.editor, self.picture))
         callbacks.show_gui = self.guard.wrap("Keys", self._keys)
-        callbacks.post_render_dockable_windows = self.guard.wrap("Dialogs", self.dialogs.draw)
+        callbacks.post_render_dockable_windows = self.guard.wrap("Dialogs", self._on_top)
 
     # Life
 
@@ -167,6 +169,13 @@ class Window:
         busy = editor.live or (self.picture is not None and self.picture.waiting)
         params.fps_idling.enable_idling = not busy and self.drive is None
         self._title()
+
+    def _on_top(self) -> None:
+        if "palette" in self.editor.asked:
+            self.editor.asked.remove("palette")
+            self.palette.show()
+        self.palette.draw()
+        self.dialogs.draw()
 
     def _title(self) -> None:
         title = f"{self.editor.session.title} – Shorewright"
