@@ -38,9 +38,7 @@ class Palette:
         imgui.set_next_window_size(imgui.ImVec2(min(520, width * 0.8), 0))
         commands.set_next_window_affixed_top(imgui.Cond_.always)
         self.open = commands.command_palette_window(NAME, True)
-        if imgui.is_key_pressed(imgui.Key.escape) or (
-            imgui.is_mouse_clicked(0) and not imgui.get_io().want_capture_mouse
-        ):
+        if imgui.is_key_pressed(imgui.Key.escape):
             self.open = False
 
     def _fill(self) -> None:

@@ -102,6 +102,8 @@ def test_keys_and_modifiers(drive):
     assert not found["water"]
     assert found["walkable"]
     assert not found["walkable_again"]
+    assert found["view"] == "clock_depth"
+    assert not found["palette"]
     assert found["hidden"] == ["vertex_animation", "water"]
     assert 0 < found["stepped"] <= found["step_s"] + 1e-9
 

@@ -143,6 +143,11 @@ def keys(hands: Hands) -> None:
     time_s = session.clock.time_s
     hands.key(imgui.Key.period)
     hands.note(stepped=session.clock.time_s - time_s, step_s=session.clock.step_s)
+    hands.key(CTRL, imgui.Key.p)
+    ctx.key_chars("clock dep")
+    hands.key(imgui.Key.enter)
+    ctx.yield_(2)
+    hands.note(view=session.view, palette=hands.window.palette.open)
     ctx.item_click("//Viewport/###walkable")
     hands.note(walkable_again=hands.editor.walkable)
 
