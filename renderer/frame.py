@@ -29,6 +29,7 @@ class Pass:
     writes: tuple[str, ...]
     doc: str
     ids: str = ""
+    once: bool = False  # a picture, after the mean of its samples is taken
 
 
 GBUFFER = ("g_albedo", "g_normal", "g_material", "g_emissive", "g_eye_depth", "g_before")
@@ -45,9 +46,10 @@ PASSES: tuple[Pass, ...] = (
     Pass("sky", ("sky.glsl",), ("g_eye_depth",), ("hdr",), "Sky where nothing was drawn."),
     Pass("fog", ("fog.glsl",), ("hdr", "g_eye_depth"), ("picture",), "Haze over distance.", "D38"),
     Pass("view", ("view.glsl",), (*GBUFFER, "hdr"), ("picture",), "Instead of it: a buffer or a mask.", "T11"),
-    Pass("display", ("display.glsl",), ("picture",), ("display",), "Exposure, tone curve, sRGB, dither."),
+    Pass("display", ("display.glsl",), ("picture",), ("shown", "display"), "Exposure, curve, sRGB, dither.", once=True),
+    Pass("antialias", ("antialias.glsl",), ("shown",), ("display",), "Smooths single frames.", once=True),
     Pass("overlay", ("overlay.glsl", "lines.glsl"), ("g_eye_depth", "under_eye_depth"), ("display",),
-         "Brush ring, walkable depth, outline, lines.", "D31 D40"),
+         "Brush ring, walkable depth, outline, lines.", "D31 D40", once=True),
 )  # fmt: skip
 
 
@@ -64,11 +66,17 @@ class Frame:
     show: Show
     tier: Tier
     overlays: Overlays
+    samples: int
     matrices: Matrices
     targets: object
     textures: dict
     uniforms: dict = field(default_factory=dict)
     stats: dict = field(default_factory=dict)
+
+    @property
+    def smoothed(self) -> bool:
+        """True where edges are smoothed in the finished picture."""
+        return not self.view.value and self.samples == 1 and "antialias" in self.show
 
     def shader(self, name: str, **defines: str):
         """A program with this frame's uniforms and textures bound."""
@@ -108,13 +116,13 @@ class Renderer:
         row = find_view(view)
         targets = self._targets(size)
         for index in range(max(samples, 1)):
-            frame = self.prepare(level, camera, size, time_s, row, show, quality, overlays, jitter(index, samples))
-            self._run(frame, lambda name: name not in ("display", "overlay"))
+            frame = self.prepare(level, camera, size, time_s, row, show, quality, overlays, samples, index)
+            self._run(frame, once=False)
             if samples > 1:
                 self._accumulate(targets, index)
         if samples > 1:
             self._mean(targets, samples)
-        self._run(frame, lambda name: name in ("display", "overlay"))
+        self._run(frame, once=True)
         self.stats = frame.stats
         return targets.textures["display"]
 
@@ -128,9 +136,9 @@ class Renderer:
 
     def prepare(
         self, level: Level, camera: Camera, size, time_s: float, view: View, show: Show | None, quality: str,
-        overlays: Overlays | None, offset: tuple[float, float] = (0.0, 0.0),
+        overlays: Overlays | None, samples: int = 1, index: int = 0,
     ) -> Frame:  # fmt: skip
-        """Upload what changed and work out everything the passes share."""
+        """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
         from .uniforms import frame_uniforms
 
         show, row = show or Show(), tier(quality)
@@ -138,20 +146,21 @@ class Renderer:
         shown.settings = show.settings(level.settings)
         self.uploader.sync(level)
         self.generated.update(shown)
-        matrices = camera_matrices(camera, size, self._near(level, camera), offset)
+        matrices = camera_matrices(camera, size, self._near(level, camera), jitter(index, samples))
         targets = self._targets(size)
         textures = {**self.uploader.textures, **dict(self.generated.items()), **targets.textures}
         frame = Frame(
-            self, shown, camera, size, time_s, view, show, row, overlays or Overlays(), matrices, targets, textures
-        )
+            self, shown, camera, size, time_s, view, show, row, overlays or Overlays(), samples, matrices, targets,
+            textures,
+        )  # fmt: skip
         frame.uniforms = frame_uniforms(frame)
         return frame
 
-    def _run(self, frame: Frame, wanted) -> None:
+    def _run(self, frame: Frame, once: bool) -> None:
         self.ctx.disable(self.ctx.DEPTH_TEST | self.ctx.BLEND | self.ctx.CULL_FACE)
         debug = "GL_KHR_debug" in self.ctx.extensions
         for row in PASSES:
-            if wanted(row.name):
+            if row.once == once:
                 with self.ctx.debug_scope(row.name) if debug else nullcontext():
                     import_module(f".passes.{row.name}", __package__).draw(frame)
 

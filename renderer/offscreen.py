@@ -13,6 +13,8 @@ from .show import Overlays, Show
 
 _own: dict[str, object] = {}
 MOST_SIDE = 16384
+MOST_PIXELS = 40_000_000  # some 70 bytes each
+MOST_SAMPLES = 1024
 
 
 def own_context():
@@ -58,6 +60,10 @@ def render(
     """
     if not all(isinstance(side, int) and 1 <= side <= MOST_SIDE for side in size):
         raise BadInput(f"a picture of {size[0]} × {size[1]} pixels is outside 1 to {MOST_SIDE} a side")
+    if size[0] * size[1] > MOST_PIXELS:
+        raise BadInput(f"a picture of {size[0]} × {size[1]} pixels is more than {MOST_PIXELS // 10**6} million")
+    if not 1 <= samples <= MOST_SAMPLES:
+        raise BadInput(f"{samples} samples a pixel are outside 1 to {MOST_SAMPLES}")
     camera = level.camera(camera) if isinstance(camera, str) else camera
     renderer = renderer or own_renderer()
     renderer.draw(level, camera, size, time_s, view, show, quality, samples, overlays)

@@ -37,6 +37,7 @@ SHOW_FLAGS: dict[str, Flag] = {
         Flag("fog", "Fog", "Haze over distance.", "fog.on", "T11 D38"),
         Flag("clouds", "Clouds", "High cirrus.", "", "T11"),
         Flag("sky", "Sky", "The sky behind everything; off, it is black."),
+        Flag("antialias", "Smooth edges", "Edges of single frames smoothed."),
     )
 }
 

@@ -10,7 +10,8 @@
 | `g_before` | RG32F | world xy before deformation (H30); on land the world xy itself |
 
 Position isn't stored: it is the pixel's ray times eye depth, camera-relative. `under_*` are copies of the land's part
-taken before the water is drawn (D02). `hdr` is linear radiance in kcd/m², RGBA16F.
+taken before the water is drawn (D02). `hdr` is linear radiance in kcd/m², RGBA16F; `picture` the same with
+haze, or a view's numbers, RGBA32F; `total` sums jittered frames; `shown` and `display` are display colours, RGBA8.
 """
 
 from __future__ import annotations
@@ -42,6 +43,7 @@ class Targets:
         self._add("hdr", 4, "f2")
         self._add("picture", 4, "f4")
         self._add("total", 4, "f4")
+        self._add("shown", 4, "f1")
         self._add("display", 4, "f1")
         self.depth = ctx.depth_texture(size)
         self.gbuffer = self._framebuffer(*GBUFFER, depth=True)
@@ -50,6 +52,7 @@ class Targets:
         self.hdr = self._framebuffer("hdr")
         self.picture = self._framebuffer("picture")
         self.total = self._framebuffer("total")
+        self.shown = self._framebuffer("shown")
         self.display = self._framebuffer("display")
 
     def _add(self, name: str, components: int, dtype: str) -> None:
@@ -69,6 +72,15 @@ class Targets:
     def release(self) -> None:
         # Making a framebuffer binds again what was bound before: that must not be one that is gone.
         self.ctx.detect_framebuffer(0).use()
-        framebuffers = (self.gbuffer, self.hdr, self.picture, self.total, self.display, *self.land, *self.under)
+        framebuffers = (
+            self.gbuffer,
+            self.hdr,
+            self.picture,
+            self.total,
+            self.shown,
+            self.display,
+            *self.land,
+            *self.under,
+        )
         for thing in (*framebuffers, *self.textures.values(), self.depth):
             thing.release()

@@ -66,16 +66,17 @@ class Uploader:
 
     def _sync_shore(self, level: Level) -> None:
         shore = shore_map(level)
-        rows, cols = shore.packed.shape[:2]
-        known, revision = self.seen.get("shore", (None, 0))
-        changed = known is not shore or revision != shore.revision
-        if not changed:
+        known, revision, held = self.seen.get("shore", (None, 0, None))
+        if known is shore and revision == shore.revision:
             return
-        # A map made anew starts its own log; only a map that is updated in place can be pulled by rectangles.
-        rects = shore.changed_since(revision) if known is shore else [Rect(0, 0, rows, cols)]
+        # A settled stroke makes the whole map anew; most of it is as it was.
+        rects = shore.changed_since(revision) if known is shore else [_difference(held, shore.packed)]
+        if held is None or held.shape != shore.packed.shape:
+            held = np.empty_like(shore.packed)
         for rect in rects:
             self._part("u_bed", shore.packed, rect, "f4")
-        self.seen["shore"] = shore, shore.revision
+            held[rect.slices] = shore.packed[rect.slices]
+        self.seen["shore"] = shore, shore.revision, held
 
     def layer(self, level: Level, name: str):
         """The texture of a painted layer, up to date; one texel while nothing was painted."""
@@ -130,3 +131,12 @@ class Uploader:
             texture.release()
         self.textures.clear()
         self.seen.clear()
+
+
+def _difference(old: np.ndarray | None, new: np.ndarray) -> Rect:
+    """The rectangle outside which two arrays `(rows, cols, channels)` are the same; all of it without old ones."""
+    if old is None or old.shape != new.shape:
+        return Rect(0, 0, *new.shape[:2])
+    other = (old != new).any(axis=2)
+    rows, cols = np.flatnonzero(other.any(axis=1)), np.flatnonzero(other.any(axis=0))
+    return Rect(int(rows[0]), int(cols[0]), int(rows[-1]) + 1, int(cols[-1]) + 1) if len(rows) else Rect(0, 0, 0, 0)
