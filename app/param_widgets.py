@@ -77,7 +77,7 @@ def clamped(row: Param, value: Any) -> Any:
 def logarithmic(row: Param) -> bool:
     """Whether a range spans so much that equal ways should be equal factors: sizes and lengths from small to huge."""
     low, high = slider_range(row)
-    return row.kind == "float" and low > 0 and high / low >= 100
+    return row.kind == "float" and low > 0 and high / low >= 50
 
 
 def same(row: Param, a: Any, b: Any) -> bool:

@@ -7,6 +7,7 @@ from imgui_bundle import imgui
 
 from . import theme
 from .brush_ring import ScreenLine, along, circle, on_screen
+from .camera_control import to_screen
 from .editor import Editor
 from .probe import Probe, speed
 
@@ -64,10 +65,11 @@ class Overlay:
             self.line(along(session.level, start, end), theme.INK, 1.0, 2.4)
             for edge in (side, -side):
                 self.line(along(session.level, start + edge, end + edge), theme.WARM, 0.9, 1.4)
-        self.beside_pointer(ramp_text(preview))
+        ends = to_screen(session.camera, self.size, np.array([[*start, 0.0], [*end, 0.0]]))[0]
+        self.beside_pointer(ramp_text(preview), ends[1] - ends[0])
 
-    def beside_pointer(self, lines: list[str]) -> None:
-        """Up to three short lines on a plate near the pointer that stays inside the viewport."""
+    def beside_pointer(self, lines: list[str], away=(1.0, 1.0)) -> None:
+        """Up to three short lines on a plate near the pointer, on the side `away` (pixels), inside the viewport."""
         inks = [ink for ink, text in zip((theme.INK, theme.WARM, theme.INK_FAINT), lines) if text]
         lines = [text for text in lines if text]
         if not lines:
@@ -75,8 +77,9 @@ class Overlay:
         sizes = [imgui.calc_text_size(text) for text in lines]
         width, height = max(s.x for s in sizes) + 16, sum(s.y for s in sizes) + 12 + 2 * (len(lines) - 1)
         mouse = imgui.get_mouse_pos()
-        corner = np.array([mouse.x + 20, mouse.y + 18])
-        corner = np.minimum(corner, self.origin + self.size - (width + 6, height + 6))
+        x = mouse.x + 20 if away[0] >= 0 else mouse.x - 16 - width
+        y = mouse.y + 18 if away[1] >= 0 else mouse.y - 14 - height
+        corner = np.clip([x, y], self.origin + 6, self.origin + self.size - (width + 6, height + 6))
         self.plate(corner, (width, height), 0.82)
         y = corner[1] + 6
         for ink, text, size in zip(inks, lines, sizes):

@@ -1,6 +1,7 @@
 """Works the real window by imgui's test engine, as a person would, and writes down what came of it.
 
-Run by test_window.py in a process of its own: `python window_drive.py SCENARIO LEVEL RECORD.json`.
+Run by test_window.py in a process of its own: `python window_drive.py SCENARIO LEVEL RECORD.json [SCREENSHOT]`.
+docs/pictures/editor.jpg is `portrait` of a copy of sample_levels/cove.shore.
 """
 
 import hashlib
@@ -10,11 +11,12 @@ import sys
 from pathlib import Path
 
 import numpy as np
-from imgui_bundle import imgui
+from imgui_bundle import hello_imgui, imgui
 from shorewright.app import window as editor_window
 from shorewright.app.panels import history_panel
 from shorewright.app.preferences import Preferences
 from shorewright.app.session import Session
+from shorewright.io.images import write_image
 
 CTRL, SHIFT, ALT = imgui.Key.mod_ctrl, imgui.Key.mod_shift, imgui.Key.mod_alt
 LEFT, RIGHT, MIDDLE = 0, 1, 2
@@ -253,6 +255,17 @@ def files(hands: Hands) -> None:
     hands.note(picture=hands.window.picture.failure, recent=hands.editor.preferences.recent)
 
 
+def portrait(hands: Hands) -> None:
+    """The picture of the documentation: a ramp being dragged at a paused moment."""
+    hands.session.pause()
+    hands.session.scrub(14.0)
+    hands.ctx.item_click("//Brushes/###ramp")
+    hands.press((0.52, 0.72))
+    hands.move((0.44, 0.6))
+    hands.move((0.36, 0.5))
+    hands.settle()
+
+
 def killed(hands: Hands) -> None:
     """The editor dies without a word after a stroke."""
     hands.session.keep_log()
@@ -291,10 +304,13 @@ def main() -> None:
         hands.append(Hands(ctx, window))
         scenario(hands[0])
 
-    preferences = Preferences(window_width=SIZE[0], window_height=SIZE[1])
+    size = (1600, 900) if sys.argv[1] == "portrait" else SIZE
+    preferences = Preferences(window_width=size[0], window_height=size[1])
     with Session.open(sys.argv[2]) as session:
         editor_window.run(session, preferences, drive)
     write(hands[0].record)
+    if len(sys.argv) > 4:
+        write_image(sys.argv[4], np.ascontiguousarray(hello_imgui.final_app_window_screenshot()[..., :3]))
 
 
 if __name__ == "__main__":
