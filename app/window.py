@@ -15,6 +15,7 @@ from pathlib import Path
 import imgui_bundle
 from imgui_bundle import hello_imgui, imgui
 
+from ..level import BadInput
 from . import keys, layout, menus, status_bar, theme
 from .dialogs import Dialogs
 from .editor import Editor
@@ -51,12 +52,16 @@ class Window:
         self.params = self._params()
 
     def run(self) -> None:
-        """Show the window; returns when it is closed. The last session stays open, for the caller to close."""
+        """Show the window until it is closed; the last session stays open. BadInput where there is no OpenGL 4.1."""
         self.editor.messages.attach()
         try:
             hello_imgui.run(self.params)
-        except BaseException:
+        except BaseException as error:
             self._keep_work()
+            if self.picture is None and isinstance(error, RuntimeError):  # it never came up
+                raise BadInput(
+                    "no window with OpenGL 4.1 can be opened here; `render` and `stroke` need none"
+                ) from error
             raise
         finally:
             self.editor.messages.detach()

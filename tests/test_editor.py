@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from imgui_bundle import imgui
 from shorewright.app import keys, timeline
+from shorewright.app import window as window_module
 from shorewright.app.actions import ACTIONS
 from shorewright.app.brush_ring import along, circle, hidden_by_land, on_screen
 from shorewright.app.editor import Editor
@@ -18,10 +19,11 @@ from shorewright.app.panels.history_panel import bytes_text, go_to
 from shorewright.app.panels.layers_panel import memory
 from shorewright.app.preferences import Preferences
 from shorewright.app.probe import probe, sentence
+from shorewright.app.recovery import offers
 from shorewright.app.session import Session
 from shorewright.app.viewport_overlay import ramp_text
 from shorewright.brushes import BRUSHES
-from shorewright.level import LAYERS, Grid
+from shorewright.level import LAYERS, BadInput, Grid
 from shorewright.level.objects import Camera
 from shorewright.level.pick import ground_at
 from shorewright.level.shore_waves import front_speed_mps
@@ -188,6 +190,25 @@ def test_the_memory_table_has_every_layer(editor):
     assert held["height"].gpu == 123
     assert held["height"].undo == editor.session.journal.bytes > 0
     assert held["foam"].cpu == 0
+
+
+@pytest.mark.parametrize("started", [True, False])
+def test_a_window_that_breaks_leaves_the_recovery_log(editor, tmp_path, monkeypatch, started):
+    """T08: whatever ends the window, what was not saved is offered by the next one; no OpenGL is one sentence."""
+    session = editor.session
+    session.keep_log(tmp_path)
+    session.drag("raise", (40, 40), (50, 50))
+    window = window_module.Window(session, Preferences())
+
+    def run(params) -> None:
+        window.picture = object() if started else None
+        raise RuntimeError("the driver fell over")
+
+    monkeypatch.setattr(window_module.hello_imgui, "run", run)
+    with pytest.raises(RuntimeError if started else BadInput, match="driver" if started else "OpenGL 4.1"):
+        window.run()
+    session.close()
+    assert [offer.labels for offer in offers(tmp_path)] == [["Raise"]]
 
 
 def test_messages_collect_the_log_and_fade():
