@@ -1,4 +1,4 @@
-// The last step: exposure, tone curve, sRGB, dither; for views, numbers to colours. Nothing before it knows the display.
+// The last step: exposure, tone curve, sRGB, dither; for views, numbers to colours.
 #include "lib/frame.glsl"
 
 #ifdef VERTEX

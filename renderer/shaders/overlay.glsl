@@ -40,7 +40,8 @@ void main() {
         lay(colour, walk ? vec3(0.10, 0.85, 0.25) : vec3(0.90, 0.10, 0.08), 0.42);
     }
 #endif
-    if (u_outline && eye_depth > 0.0) lay(colour, vec3(1.0, 0.85, 0.3), 0.8 * line(max(outside.x, outside.y), 1.5, pixel_m));
+    if (u_outline && eye_depth > 0.0)
+        lay(colour, vec3(1.0, 0.85, 0.3), 0.8 * line(max(outside.x, outside.y), 1.5, pixel_m));
     if (u_ring.z > 0.0 && eye_depth > 0.0) {
         float away = length(ground - u_ring.xy), part = away / u_ring.z;
         float inner = u_ring.w * u_ring.z;

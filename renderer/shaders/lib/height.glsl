@@ -25,8 +25,10 @@ vec3 ground_sample(vec2 xy, int stride) {
     ivec2 c = ivec2(base) * stride;
     ivec2 e = ivec2(stride, 0), n = ivec2(0, stride);
     float h00 = height_texel(c), h10 = height_texel(c + e), h01 = height_texel(c + n), h11 = height_texel(c + e + n);
-    float w0 = height_texel(c - e), w1 = height_texel(c - e + n), e0 = height_texel(c + 2 * e), e1 = height_texel(c + 2 * e + n);
-    float s0 = height_texel(c - n), s1 = height_texel(c - n + e), n0 = height_texel(c + 2 * n), n1 = height_texel(c + 2 * n + e);
+    float w0 = height_texel(c - e), w1 = height_texel(c - e + n);
+    float e0 = height_texel(c + 2 * e), e1 = height_texel(c + 2 * e + n);
+    float s0 = height_texel(c - n), s1 = height_texel(c - n + e);
+    float n0 = height_texel(c + 2 * n), n1 = height_texel(c + 2 * n + e);
     vec2 south = mix(vec2(h10 - w0, h01 - s0), vec2(e0 - h00, h11 - s1), f.x);
     vec2 north = mix(vec2(h11 - w1, n0 - h00), vec2(e1 - h01, n1 - h10), f.x);
     vec2 slope = mix(south, north, f.y) / (2.0 * u_cell_m * float(stride));
