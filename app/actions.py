@@ -45,6 +45,16 @@ def _show(flag: str) -> Callable[[Session], None]:
     return run
 
 
+def _show_rows() -> list[Action]:
+    """A row for every show flag but the water, which has its own; the first ten have a key."""
+    names = [name for name in SHOW_FLAGS if name != "water"]
+    keys = [f"Alt+{n % 10}" for n in range(1, 11)]
+    return [
+        Action(f"show.{name}", SHOW_FLAGS[name].label, tuple(keys[n : n + 1]), "View", _show(name))
+        for n, name in enumerate(names)
+    ]
+
+
 def _frame_all(session: Session) -> None:
     session.camera = frame(session.level, session.camera)
 
@@ -78,11 +88,7 @@ def _rows() -> list[Action]:
         Action("centre", "Centre of the picture", (), "View", lambda s: s.ask("centre")),
         Action("next_view", "Next view", ("F1",), "View", _view(1), repeats=True),
         Action("last_view", "View before", ("Shift+F1",), "View", _view(-1), repeats=True),
-        *(
-            Action(f"show.{flag.name}", flag.label, (f"Alt+{n % 10}",), "View", _show(flag.name))
-            for n, flag in enumerate(SHOW_FLAGS.values())
-            if 0 < n <= 10 and flag.name != "water"
-        ),
+        *_show_rows(),
         Action("palette", "Find a command…", ("Ctrl+P",), "Edit", lambda s: s.ask("palette")),
         Action("frame", "Frame what is pointed at", ("F",), "View", Session.frame),
         Action("frame_all", "Frame the whole level", ("Shift+F",), "View", _frame_all),
