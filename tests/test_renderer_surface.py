@@ -89,6 +89,20 @@ def test_no_cracks_in_land_or_sea(renderer, height, pitch):
     assert is_sea(sea).all()
 
 
+@pytest.mark.parametrize("height", [15.0, 45.0, 100.0])
+def test_land_does_not_pop_where_chunks_are_divided(renderer, height):
+    """At x = y = 128 m chunks of every level come and go at once; two centimetres further the land stands as it did."""
+    bumps = Level(Grid(257, 257), np.random.default_rng(4).uniform(0, 0.4, (257, 257)).astype(np.float32))
+    options = {"view": "position", "size": (160, 160), "linear": True, "renderer": renderer, "show": Show.hide("water")}
+    shots, triangles = [], []
+    for at in (127.99, 128.01):
+        place = camera(x=at, y=at, z=height, yaw=30.0, pitch=-45.0, fov=80.0)
+        shots.append(render(bumps, place, **options)[..., 2])
+        triangles.append(renderer.stats["terrain_triangles"])
+    assert triangles[0] != triangles[1]
+    assert np.quantile(np.abs(shots[0] - shots[1]), 0.999) < 0.04
+
+
 @pytest.mark.parametrize("height", [2.0, 40.0, 400.0])
 def test_sea_reaches_the_horizon_without_a_gap(renderer, height):
     """H21: from the mesh to the plane to the sky, every pixel below the horizon is sea."""
