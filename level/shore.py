@@ -22,12 +22,13 @@ from .objects import SeaSeed
 MOST_SIDE = 1025  # samples a side: larger levels are read with a stride
 LIVE_MARGIN = 24  # cells round a change that are worked out with it
 BEYOND_M = 80.0  # how far past the level's border shore waves go on: there the bed is only a guess
+ROCKS_M = 4.0  # sigma of the bed that the water's body knows: rocks smaller than that don't dent it
 CHANNELS = ("clock", "depth", "sea", "smoothed")
 
 
 @dataclass
 class ShoreMap:
-    """`packed` is float32 `(rows, cols, 4)`: clock depth m, depth m, sea 0 … 1, smoothed depth m; row 0 south."""
+    """`packed` is float32 `(rows, cols, 4)`, row 0 south: clock depth, depth, sea 0 … 1, clock depth without rocks; m."""
 
     packed: np.ndarray
     bottleneck: np.ndarray  # least depth on the way from the sea, before smoothing
@@ -137,9 +138,9 @@ def _pack(level: Level, depth, sea, shallow, least, cell_m: float) -> np.ndarray
         smooth = ndimage.gaussian_filter(clock, sigma, mode="nearest", truncate=3)
         keep = np.clip(clock / 1.0, 0, 1)  # the true bed at the water line, so that lines and water meet there
         clock = clock + (smooth - clock) * keep * keep * (3 - 2 * keep)
-    wide = ndimage.gaussian_filter(depth, max(4.0 / cell_m, 0.3), mode="nearest", truncate=3)
+    wide = ndimage.gaussian_filter(clock, max(ROCKS_M / cell_m, 0.3), mode="nearest", truncate=3)
     packed = np.zeros((*depth.shape, 4), np.float32)
-    packed[..., 0], packed[..., 1], packed[..., 3] = clock, depth, np.minimum(wide, depth + 1.0)
+    packed[..., 0], packed[..., 1], packed[..., 3] = clock, depth, wide
     packed[..., 2] = _sea_and_its_swash(depth, sea, shallow)
     return packed
 
@@ -187,7 +188,7 @@ def _sweep(least: np.ndarray, depth: np.ndarray) -> None:
 def _update(level: Level, have: ShoreMap, at: int) -> ShoreMap:
     """The map with the changed windows worked out again against what stands round them."""
     rows, cols = have.packed.shape[:2]
-    margin = LIVE_MARGIN + math.ceil(3 * max(level.settings.shore.smooth_m, 4.0) / have.cell_m)
+    margin = LIVE_MARGIN + math.ceil(3 * max(level.settings.shore.smooth_m, ROCKS_M) / have.cell_m)
     for rect in level.changed_since("height", have.revision):
         core = Rect(rect.row0 // have.stride, rect.col0 // have.stride,
                     -(-rect.row1 // have.stride) + 1, -(-rect.col1 // have.stride) + 1)  # fmt: skip

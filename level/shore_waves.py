@@ -43,52 +43,62 @@ def uprush(shore: Shore) -> float:
     return min(max(shore.count * shore.runup / (1 + shore.runup), 1e-3), 0.85)
 
 
-def shore_masks(
-    shore: Shore, t: float, clock_depth: Dual, sea: Dual, x: np.ndarray, y: np.ndarray, values: np.ndarray
-) -> ShoreMasks:
-    """Masks and lift at world points; `values` is the level's noise lattice."""
+def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, values: np.ndarray) -> ShoreMasks:
+    """Masks and lift at world points over the bed there (`ShoreMap.at`); `values` is the level's noise lattice.
+
+    Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink into
+    a hole round each of them.
+    """
     clock = clock_uniforms(shore, t)
-    s = 1.0 - clock_depth * (1 / shore.range_m)
+    s = 1.0 - bed["clock"].v / shore.range_m
+    s_body = 1.0 - bed["smoothed"] * (1 / shore.range_m)
+    sea = bed["sea"] * bed["within"]
     early = (value_noise(values, x, y, 3 * shore.variety_m, (11, 37)) - 0.5) * (2 * shore.stagger)
-    nearest = np.full(np.shape(s.v), 9.0)
-    zero = np.zeros(np.shape(s.v))
-    a, b, line, back, fall = (zero.copy() for _ in range(5))
-    lift = Dual(zero.copy(), zero.copy(), zero.copy())
-    height = _height_along(s)
+    nearest = np.full(np.shape(s), 9.0)
+    a, b, *masks = np.zeros((5, *np.shape(s)))
+    lift = Dual(*np.zeros((3, *np.shape(s))))
     for k in range(shore.count):
         c = (early + k) * (1 / shore.count) + clock["u_shore_clock"]
         cycle = np.floor(c.v)
         f = (c - Dual(cycle)) * (1 + shore.runup)
         wave = (clock["u_shore_cycle"] + cycle.astype(np.int64)) * shore.count - k
-        here = _wave(shore, s - f, f)
-        noise = value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
-        tall = 1.0 - noise * shore.variety
-        front = np.abs(s.v - f.v)
-        closer = front < nearest
-        nearest = np.where(closer, front, nearest)
-        a, b = np.where(closer, here[0].v, a), np.where(closer, here[1].v, b)
-        line, back, fall = (np.maximum(m, n.v * sea.v) for m, n in zip((line, back, fall), here[2:5], strict=True))
-        lift = lift + (here[2] + here[3] - here[5] * (shore.draw_m / max(shore.height_m, 1e-6))) * tall
-    lift = lift * height * shore.height_m
+        tall = 1.0 - value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29)) * shore.variety
+        a_here, b_here, *here = _wave(shore, s - f.v, f.v)
+        masks = [np.maximum(old, new) for old, new in zip(masks, here, strict=True)]
+        closer = np.abs(s - f.v) < nearest
+        nearest = np.where(closer, np.abs(s - f.v), nearest)
+        a, b = np.where(closer, a_here, a), np.where(closer, b_here, b)
+        lift = lift + _body(shore, s_body - f, f) * tall
     edge, level = _swash(shore, clock["u_shore_clock"], early)
-    lift = (lift + level * step(SWASH_S, 1.0, s)) * sea
-    if not (shore.on and shore.vertex):
-        lift = lift * 0.0
-    if not shore.on:
-        a, b, line, back, fall = (m * 0.0 for m in (a, b, line, back, fall))
-    return ShoreMasks(a, b, line, back, fall, lift, edge if shore.on and shore.vertex else edge * 0 + 1)
+    lift = (lift * _height_along(s_body) * shore.height_m + level * step(SWASH_S, 1.0, s_body)) * sea
+    on, moving = float(shore.on), float(shore.on and shore.vertex)
+    line, back, fall = (mask * sea.v * on for mask in masks)
+    return ShoreMasks(a * on, b * on, line, back, fall, lift * moving, 1.0 + (edge - 1.0) * moving)
 
 
-def _wave(shore: Shore, u: Dual, f: Dual) -> tuple[Dual, ...]:
-    """A, B, line, back, crest-fall and trail of one wave; u = s − f is 0 on its front, below 0 behind it (D03, D04)."""
-    w, gap, back_s = shore.width, shore.gap, shore.back
-    fade = step(0.0, shore.fade_in, f) * (1.0 - step(1 + shore.runup - shore.fade_out, 1 + shore.runup, f))
-    b = step(-w / 2, w / 2, u)
-    a = step(-gap - w / 2, -gap + w / 2, u)
+def _step(low: float, high: float, x: np.ndarray) -> np.ndarray:
+    return step(low, high, Dual(x)).v
+
+
+def _wave(shore: Shore, u: np.ndarray, f: np.ndarray) -> tuple[np.ndarray, ...]:
+    """A, B, line, back and crest-fall of one wave; u = s − f is 0 on its front, below 0 behind it (D03, D04)."""
+    w, gap, back_s, limit = shore.width, shore.gap, shore.back, 1 + shore.runup
+    fade = _step(0.0, shore.fade_in, f) * (1.0 - _step(limit - shore.fade_out, limit, f))
+    b = _step(-w / 2, w / 2, u)
+    a = _step(-gap - w / 2, -gap + w / 2, u)
+    c = _step(-gap - back_s, -gap, u)
+    fall = _step(-w / 2 - shore.fall / 2, 0.0, u) - _step(0.0, w / 2 + shore.fall, u)
+    return a, b, *(np.maximum(mask, 0.0) * fade for mask in (a - b, c - a, fall))
+
+
+def _body(shore: Shore, u: Dual, f: Dual) -> Dual:
+    """The water's body over one wave, of height 1: lifted from the back to the front flank, drawn down behind (D10)."""
+    w, gap, back_s, limit = shore.width, shore.gap, shore.back, 1 + shore.runup
+    fade = step(0.0, shore.fade_in, f) * (1.0 - step(limit - shore.fade_out, limit, f))
     c = step(-gap - back_s, -gap, u)
     trail = positive(step(-gap - 2 * back_s, -gap - back_s, u) - c)
-    fall = positive(step(-w / 2 - shore.fall / 2, 0.0, u) - step(0.0, w / 2 + shore.fall, u))
-    return a, b, positive(a - b) * fade, positive(c - a) * fade, fall * fade, trail * fade
+    shape = positive(c - step(-w / 2, w / 2, u)) - trail * (shore.draw_m / max(shore.height_m, 1e-6))
+    return shape * fade
 
 
 def _height_along(s: Dual) -> Dual:

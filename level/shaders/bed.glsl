@@ -3,7 +3,7 @@
 
 #include "level/dual.glsl"
 
-uniform sampler2D u_bed;  // RGBA32F: clock depth, depth, sea, smooth depth
+uniform sampler2D u_bed;  // RGBA32F: clock depth, depth, sea, clock depth without rocks
 uniform float u_bed_cell_m;
 
 const float BEYOND_M = 80.0;  // how far past the level's border shore waves go on
@@ -13,7 +13,7 @@ struct Bed {
     vec3 depth;   // depth, m, negative on land
     vec3 sea;     // 1 where the water is connected to the sea
     vec3 within;  // 1 in the level, fading to 0 beyond its border: there the bed is only a guess
-    vec3 smoothed;  // depth without small rocks: what the offshore waves fade by
+    vec3 smoothed;  // clock depth without rocks: what the water's body is lifted over
 };
 
 Bed bed_at(vec2 xy) {

@@ -22,20 +22,31 @@ struct ShoreMasks {
     float front;  // s of the nearest front
 };
 
-struct Wave { float a, b; vec3 line, back, fall, trail; };
+float shore_fade(float f) {
+    float limit = 1.0 + u_shore_runup;
+    return smoothstep(0.0, u_shore_fade_in, f) * (1.0 - smoothstep(limit - u_shore_fade_out, limit, f));
+}
 
-// u = s - f is 0 on the front, below 0 behind it.
-Wave shore_wave(vec3 u, vec3 f) {
+// The masks of one wave: a, b, line, back, crest-fall. u = s - f is 0 on the front, below 0 behind it.
+void shore_wave(float u, float fade, out float a, out float b, out vec3 masks) {
+    float w = u_shore_width, gap = u_shore_gap, back_s = u_shore_back;
+    b = smoothstep(-w / 2.0, w / 2.0, u);
+    a = smoothstep(-gap - w / 2.0, -gap + w / 2.0, u);
+    float c = smoothstep(-gap - back_s, -gap, u);
+    float fall = smoothstep(-w / 2.0 - u_shore_fall / 2.0, 0.0, u) - smoothstep(0.0, w / 2.0 + u_shore_fall, u);
+    masks = max(vec3(a - b, c - a, fall), 0.0) * fade;
+}
+
+// Its body, a dual: lifted from the back to the front flank, drawn down behind.
+vec3 shore_body(vec3 u, vec3 f) {
     float w = u_shore_width, gap = u_shore_gap, back_s = u_shore_back;
     float limit = 1.0 + u_shore_runup;
     vec3 fade = d_mul(d_step(0.0, u_shore_fade_in, f), d_const(1.0) - d_step(limit - u_shore_fade_out, limit, f));
     vec3 b = d_step(-w / 2.0, w / 2.0, u);
-    vec3 a = d_step(-gap - w / 2.0, -gap + w / 2.0, u);
     vec3 c = d_step(-gap - back_s, -gap, u);
     vec3 trail = d_positive(d_step(-gap - 2.0 * back_s, -gap - back_s, u) - c);
-    vec3 fall = d_positive(d_step(-w / 2.0 - u_shore_fall / 2.0, 0.0, u) - d_step(0.0, w / 2.0 + u_shore_fall, u));
-    return Wave(a.x, b.x, d_mul(d_positive(a - b), fade), d_mul(d_positive(c - a), fade), d_mul(fall, fade),
-                d_mul(trail, fade));
+    vec3 shape = d_positive(c - b) - trail * (u_shore_draw_m / max(u_shore_height_m, 1e-6));
+    return d_mul(shape, fade);
 }
 
 vec3 shore_height_along(vec3 s) {
@@ -50,42 +61,45 @@ vec3 shore_swash(vec3 early) {
 }
 
 ShoreMasks shore_masks(Bed bed, vec2 xy) {
-    vec3 s = d_const(1.0) - bed.clock / u_shore_range_m;
+    // Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink
+    // into a hole round each of them.
+    float s = 1.0 - bed.clock.x / u_shore_range_m;
+    vec3 s_body = d_const(1.0) - bed.smoothed / u_shore_range_m;
     vec3 early = (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
-    ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s.x, 9.0);
+    ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0);
     vec3 sea = d_mul(bed.sea, bed.within);
+    vec3 masks = vec3(0.0);
     float nearest = 9.0;
     for (int k = 0; k < u_shore_count; ++k) {
         vec3 c = (early + d_const(float(k))) / float(u_shore_count) + d_const(u_shore_clock);
         float cycle = floor(c.x);
         vec3 f = (c - d_const(cycle)) * (1.0 + u_shore_runup);
         int wave = (u_shore_cycle + int(cycle)) * u_shore_count - k;
-        Wave here = shore_wave(s - f, f);
-        vec3 noise = value_noise(xy, u_shore_variety_m, ivec2(wave * 17, wave * 29));
-        vec3 tall = d_const(1.0) - noise * u_shore_variety;
-        float away = abs(s.x - f.x);
+        vec3 tall = d_const(1.0) - value_noise(xy, u_shore_variety_m, ivec2(wave * 17, wave * 29)) * u_shore_variety;
+        float a, b;
+        vec3 here;
+        shore_wave(s - f.x, shore_fade(f.x), a, b, here);
+        masks = max(masks, here);
+        float away = abs(s - f.x);
         if (away < nearest) {
             nearest = away;
-            m.a = here.a;
-            m.b = here.b;
+            m.a = a;
+            m.b = b;
             m.front = f.x;
         }
-        m.line = max(m.line, here.line.x * sea.x);
-        m.back = max(m.back, here.back.x * sea.x);
-        m.fall = max(m.fall, here.fall.x * sea.x);
-        vec3 shape = here.line + here.back - here.trail * (u_shore_draw_m / max(u_shore_height_m, 1e-6));
-        m.lift += d_mul(shape, tall);
+        m.lift += d_mul(shore_body(s_body - f, f), tall);
     }
-    m.lift = d_mul(m.lift, shore_height_along(s)) * u_shore_height_m;
-    vec3 run = shore_swash(early);
-    m.lift = d_mul(m.lift + d_mul(run * (u_shore_range_m * u_shore_runup), d_step(SWASH_S, 1.0, s)), sea);
-    float moving = u_shore_on * u_shore_vertex;
-    m.lift *= moving;
-    m.edge_s = 1.0 + u_shore_runup * run.x * moving;
+    masks *= sea.x * u_shore_on;
+    m.line = masks.x;
+    m.back = masks.y;
+    m.fall = masks.z;
     m.a *= u_shore_on;
     m.b *= u_shore_on;
-    m.line *= u_shore_on;
-    m.back *= u_shore_on;
-    m.fall *= u_shore_on;
+    m.lift = d_mul(m.lift, shore_height_along(s_body)) * u_shore_height_m;
+    vec3 run = shore_swash(early);
+    vec3 level = d_mul(run * (u_shore_range_m * u_shore_runup), d_step(SWASH_S, 1.0, s_body));
+    float moving = u_shore_on * u_shore_vertex;
+    m.lift = d_mul(m.lift + level, sea) * moving;
+    m.edge_s = 1.0 + u_shore_runup * run.x * moving;
     return m;
 }
