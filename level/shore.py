@@ -28,7 +28,7 @@ CHANNELS = ("clock", "depth", "sea", "smoothed")
 
 @dataclass
 class ShoreMap:
-    """`packed` is float32 `(rows, cols, 4)`, row 0 south: clock depth, depth, sea 0 … 1, clock depth without rocks; m."""
+    """`packed` is float32 `(rows, cols, 4)`, row 0 south: clock depth, depth, sea 0 … 1, clock without rocks; m."""
 
     packed: np.ndarray
     bottleneck: np.ndarray  # least depth on the way from the sea, before smoothing
