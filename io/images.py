@@ -22,6 +22,7 @@ from .transaction import disk_reason
 
 WRITABLE = (".png", ".exr", ".tif", ".tiff", ".jpg")
 READABLE = (*WRITABLE, ".bmp", ".jpeg", ".tga", ".hdr")
+FITS = {".png": ("uint8", "uint16"), ".exr": ("float", "half"), ".jpg": ("uint8",)}
 MAX_CHANNELS = 32
 
 
@@ -86,8 +87,8 @@ def write_image(
 ) -> Path:
     """Write `(rows, cols)` or `(rows, cols, channels)` samples, row 0 on top; the file appears whole or not at all.
 
-    uint8 and uint16 go to PNG or TIFF, uint8 also to JPEG, float32 to EXR (ZIP; `half` for 16 bits) or TIFF. `data` True leaves out colour
-    tags, which is the default for all but uint8. `channels` names them; the default is Y, RG, RGB or RGBA.
+    uint8 and uint16 go to PNG or TIFF, uint8 also to JPEG, float32 to EXR (ZIP; `half` for 16 bits) or TIFF. `data`
+    True leaves out colour tags, which is the default for all but uint8. `channels` names them; the default is Y, RG, RGB or RGBA.
     BadInput when the disk refuses.
     """
     path = Path(path)
@@ -142,7 +143,7 @@ def _kind(path: Path, pixels: np.ndarray, half: bool) -> str:
     if suffix not in WRITABLE:
         raise BadInput(f"cannot write {path.name}: use one of {', '.join(WRITABLE)}")
     kind = {"uint8": "uint8", "uint16": "uint16", "float32": "float", "float16": "half"}.get(pixels.dtype.name)
-    fits = {".png": ("uint8", "uint16"), ".exr": ("float", "half"), ".jpg": ("uint8",)}.get(suffix, ("uint8", "uint16", "float"))
+    fits = FITS.get(suffix, ("uint8", "uint16", "float"))
     if kind not in fits:
         raise ValueError(f"{pixels.dtype} samples do not go into {suffix}")
     return "half" if half and suffix == ".exr" else kind
