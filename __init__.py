@@ -1,8 +1,4 @@
-"""Shorewright: sculpt the coast while the sea runs.
-
-    import shorewright as sw
-    level = sw.open("sample_levels/cove.shore")
-"""
+"""Shorewright: sculpt the coast while the sea runs. `import shorewright as sw; level = sw.open("NAME.shore")`."""
 
 __version__ = "0.1.0"
 

@@ -88,7 +88,7 @@ def write_image(
     """Write `(rows, cols)` or `(rows, cols, channels)` samples, row 0 on top; the file appears whole or not at all.
 
     uint8 and uint16 go to PNG or TIFF, uint8 also to JPEG, float32 to EXR (ZIP; `half` for 16 bits) or TIFF. `data`
-    True leaves out colour tags, which is the default for all but uint8. `channels` names them; the default is Y, RG, RGB or RGBA.
+    True leaves out colour tags, the default for all but uint8. `channels` names them, by default Y, RG, RGB or RGBA.
     BadInput when the disk refuses.
     """
     path = Path(path)
