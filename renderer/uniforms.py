@@ -7,7 +7,6 @@ are left out: the level's own GLSL has its own names for them (`wave_uniforms`).
 from __future__ import annotations
 
 import functools
-import math
 
 import numpy as np
 
@@ -18,6 +17,7 @@ from ..level.waves import wave_uniforms
 from .look import look_uniforms
 from .quality import APRON_DEPTH_M, APRON_M
 
+TRUE_M = 120.0  # up to here the drawn sea is the twin's (D30)
 OWN_SECTIONS = ("sea", "shore", "time")
 
 
@@ -59,17 +59,18 @@ def frame_uniforms(frame) -> dict:
 
 
 def _sea_shape(settings: Settings, tier) -> dict:
-    """Where the mesh waves lie down with distance, and how steep those are that it no longer carries."""
+    """Where the mesh waves lie down with distance, and how steep those are that mesh and pixels no longer carry."""
     sea = settings.sea
     flat_m = 0.9 * tier.sea_distance_m
-    slopes = [
-        np.sum((fronts.amplitude_m * 2 * np.pi / fronts.length_m) ** 2) / 2
-        for fronts in groups(sea, settings.level.seed)
-    ]
+    chop, swell = groups(sea, settings.level.seed)
+    slopes = [float(np.sum((g.amplitude_m * 2 * np.pi / g.length_m) ** 2) / 2) for g in (swell, chop)]
+    ends = [(14 * length, 28 * length) for length in (sea.swell_length_m, sea.chop_length_m)]
+    fade = [(max(min(first, 0.5 * flat_m), TRUE_M), max(min(last, flat_m), 1.5 * TRUE_M)) for first, last in ends]
     return {
-        "u_sea_fade_m": (min(14 * sea.swell_length_m, 0.5 * flat_m), min(28 * sea.swell_length_m, flat_m)),
+        "u_sea_fade_m": (*fade[0], *fade[1]),
         "u_swell_length_m": sea.swell_length_m,
-        "u_wave_slope": math.sqrt(sum(slopes)),
+        "u_chop_length_m": sea.chop_length_m,
+        "u_wave_slope": tuple(slopes),
     }
 
 

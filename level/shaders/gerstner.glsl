@@ -7,6 +7,9 @@ const float TURN = 6.28318530718;
 uniform vec4 u_front_way[FRONTS];   // direction / wavelength (cycles per metre: x, y), phase in cycles, k in rad/m
 uniform vec4 u_front_size[FRONTS];  // amplitude_m, lateral_m, unit direction (x, y)
 
+// What a drawing shader leaves of the high group where its cells or pixels are too coarse for it; 1 is the true sea.
+float chop_share = 1.0;
+
 struct Deformed { vec3 x; vec3 y; vec3 z; };  // duals: world x, world y, height over the still sea
 
 Deformed gerstner_group(Deformed point, int first, int end, vec3 weight) {
@@ -27,6 +30,6 @@ Deformed gerstner_group(Deformed point, int first, int end, vec3 weight) {
 
 Deformed gerstner(vec2 before, vec3 weight) {
     Deformed point = Deformed(vec3(before.x, 1.0, 0.0), vec3(before.y, 0.0, 1.0), vec3(0.0));
-    point = gerstner_group(point, 0, HIGH_FRONTS, weight);
+    point = gerstner_group(point, 0, HIGH_FRONTS, weight * chop_share);
     return gerstner_group(point, HIGH_FRONTS, FRONTS, weight);
 }

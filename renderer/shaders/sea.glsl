@@ -2,10 +2,13 @@
 #include "lib/frame.glsl"
 #include "level/waves.glsl"
 
-uniform vec2 u_sea_fade_m;  // distances over which the mesh waves lie down
+uniform vec4 u_sea_fade_m;  // distances over which the mesh waves lie down: swell from, to, chop from, to
 
-// Share of the waves' height left at this distance: far cells are too wide to carry them.
-float wave_share(float away_m) { return 1.0 - smoothstep(u_sea_fade_m.x, u_sea_fade_m.y, away_m); }
+// Share of the waves' height left at this distance (swell, chop): far cells are too wide to carry them.
+vec2 wave_share(vec2 away) {
+    vec2 d = vec2(max(abs(away.x), abs(away.y)));
+    return 1.0 - smoothstep(u_sea_fade_m.xz, u_sea_fade_m.yw, d);
+}
 
 #ifdef VERTEX
 #ifdef HORIZON
@@ -29,8 +32,10 @@ void main() {
     MeshVertex v = mesh_vertex();
     vec2 relative = slide(mesh_relative(v.cell), mesh_relative(v.parent), v.morph);
     v_before = slide(vec2(v.cell) * u_mesh_cell_m, vec2(v.parent) * u_mesh_cell_m, v.morph);
+    vec2 shares = wave_share(relative);
+    chop_share = shares.y;
     Sea sea = sea_surface(v_before);
-    float share = wave_share(max(abs(relative.x), abs(relative.y)));
+    float share = shares.x;
     vec2 shift = (sea.position.xy - v_before) * share;
     float rise = (sea.position.z - u_sea_level_m) * share;
     v_relative = vec3(relative + shift, u_sea_level_m - u_camera.z + rise);
@@ -50,7 +55,8 @@ uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
 uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it sinks
 uniform float u_water_roughness, u_water_specular;
-uniform float u_swell_length_m, u_wave_slope;  // root of the mean square slope of the offshore waves
+uniform float u_swell_length_m, u_chop_length_m;
+uniform vec2 u_wave_slope;  // mean square slope of swell and chop
 const int REFINEMENTS = 3, STEPS = 12, HALVINGS = 10;
 const float MOST_REFINED_M = 1.5, NEAR_ENOUGH_M = 0.02;
 const float SEARCH_M = 120.0;  // up to here the drawn surface is the twin's within 3 cm
@@ -156,28 +162,32 @@ void main() {
     vec3 relative = v_relative;
     vec2 before = v_before;
 #endif
+    float pixel_m = pixel_metres(relative, vec3(0.0, 0.0, 1.0));
+    vec2 shares = wave_share(relative.xy);
+    // Waves shorter than some pixels would only flicker: their slope becomes roughness. A pixel is long at a low angle.
+    float long_m = min(length(relative) * u_pixel_angle / max(abs(normalize(relative).z), 0.02), 3.0 * pixel_m);
+    vec2 sharp = shares / (1.0 + pow(2.5 * long_m / vec2(u_swell_length_m, u_chop_length_m), vec2(4.0)));
+    sharp.y = mix(1.0, sharp.y, smoothstep(SEARCH_M, 1.4 * SEARCH_M, length(relative)));
+    chop_share = sharp.y;
     Sea sea = sea_surface(before);
-    float share = wave_share(max(abs(relative.x), abs(relative.y)));
 #ifndef HORIZON
-    if (share >= 1.0) onto_surface(relative, before, sea);
+    if (shares.x >= 1.0) onto_surface(relative, before, sea);
 #endif
     fade_surf(sea);
     float away = length(relative), eye_depth = eye_depth_of(relative);
     vec3 to_eye = -relative / max(away, 1e-4);
-    float pixel_m = pixel_metres(relative, vec3(0.0, 0.0, 1.0));
-    float sharp = share / (1.0 + pow(3.0 * pixel_m / u_swell_length_m, 2.0));
     vec3 position = u_camera + relative;
     float column = water_column(sea, position.z);
     float rippled = ripple_share(column);
-    vec3 ripple = water_ripples(before, pixel_m) * vec3(rippled, rippled, rippled * rippled);
-    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * sharp + ripple.xy;
-    float lost = ripple.z + u_wave_slope * u_wave_slope * sea.deep * (1.0 - sharp * sharp);
+    vec3 ripple = water_ripples(before, long_m) * vec3(rippled, rippled, rippled * rippled);
+    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * sharp.x + ripple.xy;
+    float lost = ripple.z + sea.deep * dot(u_wave_slope, 1.0 - sharp * sharp);
     vec3 normal = normalize(vec3(-slope, 1.0));
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
     Foam foam = Foam(0.0, 0.0, 0.0, 0.0);
-    if (u_show_procedural_foam) foam = sea_foam(sea, before, column, sharp, pixel_m);
+    if (u_show_procedural_foam) foam = sea_foam(sea, before, column, sharp.x, pixel_m);
     if (u_show_painted_foam) {
         vec2 paint = layer_at(u_layer_foam, before, u_cell_m).rg;
         foam = foam_painted(foam, before, max(paint.x, paint.y), pixel_m);
@@ -193,7 +203,7 @@ void main() {
     vec2 bed_xy = before - to_eye.xy * land.w;
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
     from_below = bubbles(from_below, foam, sun, sky);
-    from_below += water_crest_light(sea.height01 * sharp, normal, to_eye, u_sun_direction) * sun;
+    from_below += water_crest_light(sea.height01 * sharp.x, normal, to_eye, u_sun_direction) * sun;
     from_below *= (1.0 - water_fresnel(cosine, roughness)) * (1.0 - foam.cover);
     write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0, normal, mix(roughness, FOAM_ROUGHNESS, foam.cover),
                           u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
