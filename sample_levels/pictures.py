@@ -56,8 +56,8 @@ def main() -> int:
         for name, level, camera, view, time_s, settings in SHOTS:
             sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
             code = shorewright(
-                ["render", str(level_of(level, Path(folder))), "-o", str(PICTURES / f"{name}.jpg"),
-                 "--camera", camera, "--view", view, "--time", str(time_s), "--size", "1280x720", "--samples", "4", *sets]
+                ["render", str(level_of(level, Path(folder))), "-o", str(PICTURES / f"{name}.jpg"), "--camera", camera,
+                 "--view", view, "--time", str(time_s), "--size", "1280x720", "--samples", "4", *sets]
             )  # fmt: skip
             if code:
                 return code
