@@ -47,3 +47,10 @@ def test_links_in_the_documents_lead_somewhere(document):
     text = (ROOT / document).read_text()
     for link in re.findall(r"\]\(([^)#:]+)\)", text):
         assert (ROOT / link).exists(), f"{document} links to {link}"
+
+
+def test_the_reference_is_made_from_the_tables():
+    """Run `python -m shorewright.app.reference > docs/reference.md` after changing a table."""
+    from shorewright.app.reference import reference
+
+    assert (ROOT / "docs" / "reference.md").read_text("utf-8") == reference()
