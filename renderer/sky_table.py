@@ -15,6 +15,8 @@ from functools import lru_cache
 
 import numpy as np
 
+from .cache import cached
+
 GROUND_KM, TOP_KM = 6360.0, 6440.0
 # 1/km at 640, 550 and 453 nm, near the Rec. 709 primaries: with the often published 680 and 440 nm dusk is magenta.
 # Rayleigh by λ^-4 from 13.558e-3 at 550 nm, ozone by the Chappuis band from 1.881e-3 there.
@@ -117,6 +119,10 @@ def _march(altitude, cosine, sun_cosine_at, turbidity, steps, source):
 @lru_cache(maxsize=4)
 def _multiple_table(turbidity: float) -> np.ndarray:
     """Radiance of light scattered twice or more for a unit sun, over 1/(4π) phase, `(altitudes, cosines, 3)`."""
+    return cached("sky_multiple", lambda: _make_multiple_table(turbidity), __file__, turbidity)
+
+
+def _make_multiple_table(turbidity: float) -> np.ndarray:
     altitude, sun = np.meshgrid(_ALTITUDES[::4], _COSINES[::4], indexing="ij")
     cosines = np.linspace(-0.97, 0.97, 12)
     azimuths = (np.arange(4) + 0.5) * np.pi / 4

@@ -11,7 +11,8 @@ import moderngl
 import numpy as np
 
 from ..level import Level
-from ..level.textures import foam_texture, ground_texture, noise_texture, ripple_texture
+from ..level import textures as made
+from .cache import cached
 from .sky_table import sky_table
 
 SAMPLERS = ("u_noise", "u_ground", "u_ripple", "u_foam", "u_sky")
@@ -24,10 +25,10 @@ class Textures:
         self.ctx = ctx
         self._sky_key: tuple | None = None
         self._by_name = {
-            "u_noise": _tiling(ctx, noise_texture()),
-            "u_foam": _tiling(ctx, foam_texture()),
-            "u_ripple": _tiling(ctx, ripple_texture().astype(np.float16)),
-            "u_ground": _array(ctx, ground_texture()),
+            "u_noise": _tiling(ctx, _kept("noise", made.noise_texture)),
+            "u_foam": _tiling(ctx, _kept("foam", made.foam_texture)),
+            "u_ripple": _tiling(ctx, _kept("ripple", lambda: made.ripple_texture().astype(np.float16))),
+            "u_ground": _array(ctx, _kept("ground", made.ground_texture)),
         }
         # tints need no blend between mip levels, which in software costs a second fetch
         self._by_name["u_noise"].filter = moderngl.LINEAR_MIPMAP_NEAREST, moderngl.LINEAR
@@ -58,6 +59,11 @@ class Textures:
         for texture in self._by_name.values():
             texture.release()
         self._by_name.clear()
+
+
+def _kept(name: str, make) -> np.ndarray:
+    """A texture of level/textures.py at its own seed and size; making all four takes seconds, reading them hardly any."""
+    return cached(name, make, made.__file__)
 
 
 def _mipmapped(texture) -> None:

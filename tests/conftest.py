@@ -16,6 +16,18 @@ os.environ.setdefault("LP_NUM_THREADS", "2")
 DATA = Path(__file__).parents[2] / "shared" / "data"
 
 
+@pytest.fixture(scope="session", autouse=True)
+def own_cache(tmp_path_factory):
+    """What is kept between starts goes to a folder of this run: no test reads or writes the user's."""
+    before = os.environ.get("SHOREWRIGHT_CACHE")
+    os.environ["SHOREWRIGHT_CACHE"] = str(tmp_path_factory.mktemp("made"))
+    yield
+    if before is None:
+        del os.environ["SHOREWRIGHT_CACHE"]
+    else:
+        os.environ["SHOREWRIGHT_CACHE"] = before
+
+
 @pytest.fixture(scope="session")
 def ctx():
     """One OpenGL 4.1 context for all tests; without one they skip, unless SHOREWRIGHT_EXPECT_GL demands it."""
