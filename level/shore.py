@@ -14,10 +14,12 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy import ndimage
 
+from .bottleneck import bottleneck
 from .dual import Dual, step
 from .grid import Rect
-from .level import Level
+from .level import Level, merge
 from .objects import SeaSeed
+from .settings import Shore
 
 MOST_SIDE = 1025  # samples a side: larger levels are read with a stride
 LIVE_MARGIN = 24  # cells round a change that are worked out with it
@@ -69,10 +71,9 @@ class ShoreMap:
 
 def shore_map(level: Level) -> ShoreMap:
     """The level's map, up to date with its height; worked out in the changed window only while a step is open."""
-    shore, sea = level.settings.shore, level.sea_level_m
+    shore = level.settings.shore
     seeds = tuple(sorted((o.x, o.y) for o in level.objects.values() if isinstance(o, SeaSeed)))
-    reach = shore.range_m * shore.runup
-    key = (id(level.layers["height"]), sea, reach, shore.monotone, shore.smooth_m, seeds)
+    key = (level.sea_level_m, shore.range_m, shore.runup, shore.monotone, shore.smooth_m, seeds)
     have: ShoreMap | None = level.derived.get("shore_map")
     at = level.layer_revision("height")
     if have is not None and have.key == key:
@@ -80,9 +81,9 @@ def shore_map(level: Level) -> ShoreMap:
             return have
         if level.live:
             return _update(level, have, at)
-    made = _whole(level, reach, seeds)
+    made = _whole(level, seeds)
     made.revision, made.key = at, key
-    if have is not None and have.packed.shape == made.packed.shape and have.key == key:
+    if have is not None and have.key == key:
         made.log = have.log
     made.log.append((at, Rect(0, 0, *made.packed.shape[:2])))
     level.derived["shore_map"] = made
@@ -93,17 +94,15 @@ def _stride(level: Level) -> int:
     return max(1, math.ceil((max(level.grid.shape) - 1) / (MOST_SIDE - 1)))
 
 
-def _whole(level: Level, reach_m: float, seeds: tuple) -> ShoreMap:
+def _whole(level: Level, seeds: tuple) -> ShoreMap:
     stride = _stride(level)
     cell_m = level.grid.cell_m * stride
     depth = level.sea_level_m - level.height[::stride, ::stride].astype(np.float32)
     wet = depth > 0
-    shallow, _ = ndimage.label(depth > -(1.1 * reach_m + 0.05))
-    pools, _ = ndimage.label(wet)
-    start = _open_edge(depth, seeds, cell_m)
-    sea = wet & np.isin(pools, np.unique(pools[start & wet]))
-    least = _from_the_deep(depth, start & wet, level.settings.shore.range_m)
-    return ShoreMap(_pack(level, depth, sea, shallow, least, cell_m), least, cell_m, stride)
+    start = wet & _open_edge(depth, seeds, cell_m)
+    sea = _touching(ndimage.label(wet)[0], start)
+    least = _from_the_deep(depth, start, level.settings.shore.range_m)
+    return ShoreMap(_pack(level, depth, sea, least, cell_m), least, cell_m, stride)
 
 
 def _open_edge(depth: np.ndarray, seeds: tuple, cell_m: float) -> np.ndarray:
@@ -122,15 +121,15 @@ def _from_the_deep(depth: np.ndarray, start: np.ndarray, range_m: float) -> np.n
     if not start.any():
         return np.full(depth.shape, -np.inf, np.float32)
     deep = start & (depth >= min(range_m, 0.95 * float(depth[start].max())))
-    least = _bottleneck(np.where(deep, depth, -np.inf).astype(np.float32), depth)
+    least = bottleneck(np.where(deep, depth, -np.inf).astype(np.float32), depth)
     cut_off = start & ~(least > 0)  # water that only its own shallow border joins to the sea
     if cut_off.any():
-        least = _bottleneck(np.where(cut_off, depth, least).astype(np.float32), depth)
+        least = bottleneck(np.where(cut_off, depth, least).astype(np.float32), depth)
     return least
 
 
-def _pack(level: Level, depth, sea, shallow, least, cell_m: float) -> np.ndarray:
-    """The four channels from depth, sea cells, regions the swash could reach, and the bottleneck depth."""
+def _pack(level: Level, depth, sea, least, cell_m: float) -> np.ndarray:
+    """The four channels from depth, sea cells and the bottleneck depth."""
     shore = level.settings.shore
     clock = np.where(sea & np.isfinite(least), least, depth) if shore.monotone else depth
     sigma = shore.smooth_m / cell_m
@@ -141,55 +140,52 @@ def _pack(level: Level, depth, sea, shallow, least, cell_m: float) -> np.ndarray
     wide = ndimage.gaussian_filter(clock, max(ROCKS_M / cell_m, 0.3), mode="nearest", truncate=3)
     packed = np.zeros((*depth.shape, 4), np.float32)
     packed[..., 0], packed[..., 1], packed[..., 3] = clock, depth, wide
-    packed[..., 2] = _sea_and_its_swash(depth, sea, shallow)
+    packed[..., 2] = _sea_and_its_swash(depth, sea, _shallow(depth, shore))
     return packed
+
+
+def _shallow(depth: np.ndarray, shore: Shore) -> np.ndarray:
+    """Numbers of the regions that a swash from anywhere inside could reach, 0 for higher ground."""
+    return ndimage.label(depth > -(1.1 * shore.range_m * shore.runup + 0.05))[0]
+
+
+def _touching(regions: np.ndarray, cells: np.ndarray) -> np.ndarray:
+    """The regions (numbers, 0 for none) that hold one of `cells`, as a mask."""
+    touched = np.zeros(int(regions.max()) + 1, bool)
+    touched[regions[cells]] = True
+    touched[0] = False
+    return touched[regions]
 
 
 def _sea_and_its_swash(depth: np.ndarray, sea: np.ndarray, shallow: np.ndarray) -> np.ndarray:
     """The sea and the sand its run-up reaches; hollows inland, and the sand nearest to them, stay still (D03)."""
-    reached = np.isin(shallow, np.unique(shallow[sea])) & (shallow > 0)
-    pond = (depth > 0) & ~sea
-    if not pond.any() or not sea.any():
-        return (reached if not pond.any() else sea & reached).astype(np.float32)
-    to_sea = ndimage.distance_transform_edt(~sea)
-    to_pond = ndimage.distance_transform_edt(~pond)
-    return (reached & (to_sea <= to_pond) & ~pond).astype(np.float32)
+    reached = _touching(shallow, sea)
+    wet = depth > 0
+    pond = wet & ~sea
+    if not (pond.any() and sea.any()):
+        return (reached & ~pond).astype(np.float32)
+    from scipy.spatial import cKDTree
+
+    sand = np.argwhere(reached & ~wet)
+    to_sea, to_pond = (cKDTree(np.argwhere(_rim(water))).query(sand)[0] for water in (sea, pond))
+    still = sand[to_pond < to_sea]
+    reached[still[:, 0], still[:, 1]] = False
+    return (reached & ~pond).astype(np.float32)
 
 
-def _bottleneck(marker: np.ndarray, depth: np.ndarray, rounds: int = 60) -> np.ndarray:
-    """Over all ways from the marker, the largest least depth: reconstruction of `depth` from it, by sweeps.
-
-    A front passes a bar once because behind it this never grows again (L. Vincent, 1993, sequential reconstruction).
-    """
-    least = np.minimum(marker, depth)
-    for _ in range(rounds):
-        before = least.copy()
-        for view, mask in (
-            (least, depth),
-            (least[::-1], depth[::-1]),
-            (least.T, depth.T),
-            (least.T[::-1], depth.T[::-1]),
-        ):
-            _sweep(view, mask)
-        if np.array_equal(before, least):
-            break
-    return least
-
-
-def _sweep(least: np.ndarray, depth: np.ndarray) -> None:
-    for row in range(1, len(least)):
-        came = least[row - 1].copy()
-        np.maximum(came[1:], least[row - 1, :-1], out=came[1:])
-        np.maximum(came[:-1], least[row - 1, 1:], out=came[:-1])
-        np.maximum(came, least[row], out=came)
-        np.minimum(came, depth[row], out=least[row])
+def _rim(water: np.ndarray) -> np.ndarray:
+    """The cells of a mask that have a neighbour outside it, or stand at the border: the nearest to any dry place."""
+    rim = water.copy()
+    inner = water[:-2, 1:-1] & water[2:, 1:-1] & water[1:-1, :-2] & water[1:-1, 2:]
+    rim[1:-1, 1:-1] &= ~inner
+    return rim
 
 
 def _update(level: Level, have: ShoreMap, at: int) -> ShoreMap:
     """The map with the changed windows worked out again against what stands round them."""
     rows, cols = have.packed.shape[:2]
     margin = LIVE_MARGIN + math.ceil(3 * max(level.settings.shore.smooth_m, ROCKS_M) / have.cell_m)
-    for rect in level.changed_since("height", have.revision):
+    for rect in merge(rect.pad(1) for rect in level.changed_since("height", have.revision)):
         core = Rect(rect.row0 // have.stride, rect.col0 // have.stride,
                     -(-rect.row1 // have.stride) + 1, -(-rect.col1 // have.stride) + 1)  # fmt: skip
         window = core.pad(2 * margin).intersect(Rect(0, 0, rows, cols))
@@ -206,7 +202,6 @@ def _update_window(level: Level, have: ShoreMap, window: Rect, fresh: Rect) -> N
     ground = level.height[window.row0 * stride : window.row1 * stride : stride,
                           window.col0 * stride : window.col1 * stride : stride]  # fmt: skip
     depth = level.sea_level_m - ground.astype(np.float32)
-    shore = level.settings.shore
     rim = np.ones(depth.shape, bool)
     rim[1:-1, 1:-1] = False
     known = have.bottleneck[window.slices]
@@ -214,10 +209,9 @@ def _update_window(level: Level, have: ShoreMap, window: Rect, fresh: Rect) -> N
     edge_of_level[[0, -1]], edge_of_level[:, [0, -1]] = True, True
     outer = edge_of_level[window.slices] & (depth > 0)
     marker = np.where(rim, np.where(outer, depth, known), -np.inf).astype(np.float32)
-    least = _bottleneck(marker, depth)
+    least = bottleneck(marker, depth)
     sea = (depth > 0) & (least > 0)
-    shallow, _ = ndimage.label(depth > -(1.1 * shore.range_m * shore.runup + 0.05))
-    packed = _pack(level, depth, sea, shallow, least, have.cell_m)
+    packed = _pack(level, depth, sea, least, have.cell_m)
     inner = Rect(fresh.row0 - window.row0, fresh.col0 - window.col0, fresh.row1 - window.row0, fresh.col1 - window.col0)
     have.packed[fresh.slices] = packed[inner.slices]
     have.bottleneck[fresh.slices] = least[inner.slices]

@@ -1,9 +1,12 @@
 """The derived bed map: strides, live windows, seeds, and that a settled map depends on the level alone (D03, T05)."""
 
+import heapq
+
 import numpy as np
 import pytest
 from coasts import make_beach
 from shorewright.level import Grid, Journal, Level, Rect
+from shorewright.level.bottleneck import bottleneck
 from shorewright.level.objects import SeaSeed
 from shorewright.level.shore import MOST_SIDE, shore_map
 
@@ -26,6 +29,30 @@ def test_the_map_is_cached_until_something_changes():
     assert shore_map(level) is first
     level.set("shore.smooth_m", 5.0)
     assert shore_map(level) is not first
+    level.set("shore.runup", 0.0)
+    first = shore_map(level)
+    level.set("shore.range_m", 3.0)  # it decides which part of the border is deep, run-up or not
+    assert shore_map(level) is not first
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_bottleneck_is_the_best_of_all_ways(seed):
+    """D03: against a search from the sea outward, the deepest first, on ground as rough as it can be."""
+    depth = np.random.default_rng(seed).normal(0, 5, (23, 31)).astype(np.float32)
+    marker = np.full(depth.shape, -np.inf, np.float32)
+    marker[0] = depth[0]
+    expected = np.full(depth.shape, -np.inf, np.float32)
+    waiting = [(-value, 0, col) for col, value in enumerate(depth[0])]
+    heapq.heapify(waiting)
+    while waiting:
+        value, row, col = heapq.heappop(waiting)
+        if -value <= expected[row, col]:
+            continue
+        expected[row, col] = -value
+        for r in range(max(row - 1, 0), min(row + 2, 23)):
+            for c in range(max(col - 1, 0), min(col + 2, 31)):
+                heapq.heappush(waiting, (max(value, -depth[r, c]), r, c))
+    assert np.array_equal(bottleneck(marker, depth), expected)
 
 
 def test_live_window_matches_the_whole_map_where_it_was_worked_out():
