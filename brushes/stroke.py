@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterable
 
 from ..level import BadInput, Journal, Level, Rect
+from ..level.level import cover
 from ..level.params import Section
 from .canvas import NOWHERE, Canvas
 from .catalog import BRUSHES, Brush
@@ -120,7 +121,7 @@ class Stroke:
             self.abort()
             raise
         changed = NOWHERE
-        for rect in _joined(rects):
+        for rect in cover(rects):
             self.level.mark(self.brush.layer, rect)
             changed = changed.union(rect)
         return changed
@@ -137,15 +138,3 @@ def usable(x: float, y: float, pressure: float) -> Sample | None:
     if not all(map(math.isfinite, (x, y, pressure))) or max(abs(x), abs(y)) > FARTHEST_M:
         return None
     return Sample(x, y, min(max(pressure, 0.0), 1.0))
-
-
-def _joined(rects: list[Rect]) -> list[Rect]:
-    """Neighbours in a list joined where that adds few cells: fewer marks for a quick move, no map-wide ones."""
-    joined: list[Rect] = []
-    for rect in rects:
-        union = joined[-1].union(rect) if joined else rect
-        if joined and union.cells <= 1.5 * max(joined[-1].cells, rect.cells) + 4096:
-            joined[-1] = union
-        else:
-            joined.append(rect)
-    return joined

@@ -6,7 +6,7 @@ rectangles newer than what they hold, so nobody is told and nobody is forgotten.
 
 from __future__ import annotations
 
-from collections import deque
+import math
 from collections.abc import Iterable
 
 import numpy as np
@@ -17,6 +17,9 @@ from .layers import LAYERS, WEATHER_GRID, HeightData, LayerData
 from .objects import Camera
 from .params import replace
 from .settings import Settings
+
+BAND = 32  # rows of a level that are looked at together when the changed part of it is put into rectangles
+LOGGED = 256  # changes of a layer that are remembered one by one
 
 
 class Level:
@@ -44,8 +47,7 @@ class Level:
         for name, row in LAYERS.items():
             own = WEATHER_GRID if row.grid == "weather" else grid
             self.layers[name] = HeightData(row, own, base) if name == "height" else LayerData(row, own)
-        self._log: dict[str, deque] = {name: deque(maxlen=256) for name in LAYERS}
-        self._forgotten = dict.fromkeys(LAYERS, 0)  # changes up to this revision are no longer in the log
+        self._log: dict[str, list[tuple[int, Rect]]] = {name: [] for name in LAYERS}
         self.sector_revisions = {n: np.zeros(data.grid.sector_shape, np.int64) for n, data in self.layers.items()}
         self.derived.clear()
         for name in LAYERS:
@@ -79,20 +81,26 @@ class Level:
         self.revision += 1
         self.sector_revisions[layer][self.layers[layer].grid.sectors_at(rect)] = self.revision
         log = self._log[layer]
-        if len(log) == log.maxlen:
-            self._forgotten[layer] = log[0][0]
         log.append((self.revision, rect))
+        if len(log) == LOGGED:
+            self._shorten(log, self.layers[layer].grid.rect)
+
+    @staticmethod
+    def _shorten(log: list[tuple[int, Rect]], whole: Rect) -> None:
+        """Put the older half of a log into few rectangles: who asks about it gets a little more than it has to."""
+        old = log[: len(log) // 2]
+        at = max((i for i, (_, rect) in enumerate(old) if rect == whole), default=-1)  # nothing before counts any more
+        rects = cover(rect for _, rect in old[at + 1 :])
+        log[: len(old)] = old[max(at, 0) : at + 1] + [(old[-1][0], rect) for rect in rects]
 
     def changed_since(self, layer: str, revision: int) -> list[Rect]:
-        """Rectangles of a layer that changed after `revision`, merged where they overlap; [] when none did."""
-        if revision < self._forgotten[layer]:
-            return [self.layers[layer].grid.rect]
-        return merge(rect for at, rect in self._log[layer] if at > revision)
+        """Disjoint rectangles that hold what changed of a layer after `revision`, and little else; [] when none did."""
+        return cover(rect for at, rect in self._log[layer] if at > revision)
 
     def layer_revision(self, layer: str) -> int:
         """The revision at which a layer last changed."""
         log = self._log[layer]
-        return log[-1][0] if log else self._forgotten[layer]
+        return log[-1][0] if log else 0
 
     def set_settings(self, settings: Settings) -> None:
         self.settings = settings
@@ -125,6 +133,65 @@ class Level:
         for tile in tiles:
             data.settle(tile, before[tile])
         self.mark(layer, rect)
+
+
+def cover(rects: Iterable[Rect], most: int = 64, spare: float = 0.1) -> list[Rect]:
+    """Disjoint rectangles, at most `most`, that hold all of `rects` and, along a slanting stroke, not its bounding box.
+
+    Rows are cut into bands; in each, columns that meet are joined. Bands are stacked again where their union is at most
+    `spare` larger than what they hold.
+    """
+    parts = sorted({rect for rect in rects if not rect.empty})
+    if len(parts) <= 1:
+        return parts
+    span = max(rect.row1 for rect in parts) - parts[0].row0
+    band = BAND * math.ceil(span / (most * BAND))
+    while band <= span:
+        pieces = _banded(parts, band)
+        stacked = _stacked(pieces, spare) if len(pieces) <= 4 * most else pieces
+        if len(stacked) <= most:
+            return stacked
+        band *= 2
+    return merge(parts, most)
+
+
+def _stacked(pieces: list[Rect], spare: float) -> list[Rect]:
+    """Disjoint rectangles over disjoint pieces sorted from south to north, joined where that adds few cells."""
+    stacked: list[Rect] = []
+    held: list[int] = []  # cells of the pieces in each
+    for number, piece in enumerate(pieces):
+        for at, below in enumerate(stacked):
+            if below.row1 != piece.row0:
+                continue
+            union, cells = below.union(piece), held[at] + piece.cells
+            if union.cells > (1 + spare) * cells:
+                continue
+            if all(union.intersect(r).empty for r in (*stacked, *pieces[number + 1 :]) if r != below):
+                stacked[at], held[at] = union, cells
+                break
+        else:
+            stacked.append(piece)
+            held.append(piece.cells)
+    return stacked
+
+
+def _banded(parts: list[Rect], band: int) -> list[Rect]:
+    """Pieces of sorted rectangles, one band of rows after another, from west to east; disjoint."""
+    bands: dict[int, list[Rect]] = {}
+    for rect in parts:
+        for number in range(rect.row0 // band, (rect.row1 - 1) // band + 1):
+            rows = max(rect.row0, number * band), min(rect.row1, (number + 1) * band)
+            bands.setdefault(number, []).append(Rect(rows[0], rect.col0, rows[1], rect.col1))
+    pieces = []
+    for number in sorted(bands):
+        joined: list[Rect] = []
+        for rect in sorted(bands[number], key=lambda r: r.col0):
+            if joined and rect.col0 <= joined[-1].col1:
+                joined[-1] = joined[-1].union(rect)
+            else:
+                joined.append(rect)
+        pieces += joined
+    return pieces
 
 
 def merge(rects: Iterable[Rect], most: int = 16) -> list[Rect]:

@@ -62,7 +62,7 @@ class Textures:
 
 
 def _kept(name: str, make) -> np.ndarray:
-    """A texture of level/textures.py at its own seed and size; making all four takes seconds, reading them hardly any."""
+    """A texture of level/textures.py at its own seed and size: making all four takes seconds."""
     return cached(name, make, made.__file__)
 
 

@@ -6,7 +6,7 @@ from coasts import make_beach
 from hypothesis import given
 from hypothesis import strategies as st
 from shorewright.level import LAYERS, SECTOR, TILE, BadInput, Clock, Grid, Level, Rect, Settings
-from shorewright.level.level import merge
+from shorewright.level.level import cover, merge
 from shorewright.level.params import describe, get, replace
 from shorewright.level.walk import walkable
 
@@ -61,12 +61,37 @@ def test_readers_learn_the_rectangles_newer_than_what_they_hold():
     assert level.changed_since("foam", seen) == []
 
 
-def test_a_reader_that_slept_too_long_gets_everything():
+def test_a_reader_that_slept_gets_what_changed_and_one_that_holds_nothing_gets_everything():
     level = make_beach()
     seen = level.revision
     for i in range(600):
         level.write("foam", Rect(i % 100, 0, i % 100 + 1, 1), 0.5)
-    assert level.changed_since("foam", seen) == [level.grid.rect]
+    assert level.changed_since("foam", seen) == [Rect(0, 0, 100, 1)]
+    assert level.changed_since("foam", level.revision - 1) == [Rect(99, 0, 100, 1)]
+    assert level.changed_since("foam", 0) == [level.grid.rect]
+
+
+@given(st.lists(st.tuples(*[st.integers(0, 200)] * 2, *[st.integers(1, 90)] * 2), max_size=40))
+def test_covering_rectangles_hold_every_changed_cell_once(parts):
+    rects = [Rect(r, c, r + h, c + w) for r, c, h, w in parts]
+    seen, sent = np.zeros((300, 300), bool), np.zeros((300, 300), int)
+    covered = cover(rects)
+    for rect in rects:
+        seen[rect.slices] = True
+    for rect in covered:
+        sent[rect.slices] += 1
+    assert len(covered) <= 64
+    assert (sent[seen] == 1).all()
+    assert sent.max(initial=0) <= 1
+
+
+def test_a_slanting_stroke_is_not_its_bounding_box():
+    """200 dabs of radius 128 across a 4097² level: at most half more than they touched, not four times (T08)."""
+    rects = [Rect(200 + 9 * i, 300 + 9 * i, 457 + 9 * i, 557 + 9 * i) for i in range(200)]
+    touched = 257 * 257 + 199 * (257 * 257 - 248 * 248)
+    covered = cover(rects)
+    assert sum(rect.cells for rect in covered) < 1.5 * touched
+    assert merge(rects)[0].cells > 4 * touched
 
 
 @pytest.mark.parametrize("name", LAYERS)
