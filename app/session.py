@@ -150,8 +150,9 @@ class Session(Edits):
 
     def _save_as(self, path: Path, overwrite: bool) -> None:
         from ..io import LevelFolder
+        from ..io.lock import is_husk
 
-        if path.exists() and not overwrite:
+        if path.exists() and not overwrite and not is_husk(path):
             raise BadInput(f"{path} exists already: choose another name")
         folder = LevelFolder(path)
         try:

@@ -9,7 +9,7 @@ from ..level import BadInput
 from .level_json import NAME
 from .transaction import RECORD, STAGE, flush
 
-LOCK = ".lock"  # stays behind: taking it away could let two editors in
+LOCK = ".lock"  # there only while an editor has the level; one that a killed editor left locks nobody out
 OURS = {LOCK, STAGE, "layers", NAME}
 
 
@@ -20,6 +20,8 @@ def check_folder(path: Path) -> None:
             raise BadInput(f"{path} does not exist")
         if not path.is_dir():
             raise BadInput(f"{path} is not a level: a level is a folder with a {NAME} in it")
+        if is_husk(path) and (path / STAGE).exists():
+            raise BadInput(f"{path} holds no level: its first save never finished; make it again under the same name")
         if not ((path / NAME).exists() or (path / STAGE / RECORD).exists()):
             raise BadInput(f"{path} is not a level: it has no {NAME}")
     except OSError as error:
@@ -62,9 +64,29 @@ def take(path: Path):
     return lock
 
 
-def remove_empty(path: Path) -> None:
-    """Put away the folder of a level that was never saved; anything in it that isn't ours keeps it."""
+def let_go(path: Path, lock) -> None:
+    """Give the lock of a level's folder back and leave no trace of it."""
     with contextlib.suppress(OSError):
-        (path / LOCK).unlink(missing_ok=True)
+        (path / LOCK).unlink(missing_ok=True)  # while it is held; filelock refuses a file without a name
+    lock.release()
+
+
+def is_husk(path: Path) -> bool:
+    """Whether a folder is what a first save left that was killed: nothing of a level, and nothing of anybody else."""
+    try:
+        if path.is_symlink() or not path.is_dir() or (path / NAME).exists() or (path / STAGE / RECORD).exists():
+            return False
+        layers = path / "layers"
+        ours = all(entry.name in OURS for entry in path.iterdir())
+        return ours and not (layers.exists() and (layers.is_symlink() or any(layers.iterdir())))
+    except OSError:
+        return False
+
+
+def remove_empty(path: Path, whole: bool) -> None:
+    """Put away what a first save that failed made, and the folder if `whole`; anything that isn't ours keeps it."""
+    with contextlib.suppress(OSError):
         (path / "layers").rmdir() if (path / "layers").is_dir() else None
-        path.rmdir()
+        if whole:
+            (path / LOCK).unlink(missing_ok=True)
+            path.rmdir()

@@ -15,7 +15,7 @@ from weakref import WeakKeyDictionary
 from ..level import BadInput, Level
 from . import level_json
 from .level_sectors import refuse_nan, sector_names, write_checked
-from .lock import check_folder, make_folder, remove_empty, take
+from .lock import check_folder, let_go, make_folder, remove_empty, take
 from .package_read import HASHES, THREADS, Saved, inside, read_committed, signature
 from .transaction import RECORD, STAGE, Hook, Transaction, disk_reason, finish
 
@@ -84,9 +84,9 @@ class LevelFolder:
         lock, self._lock = self._lock, None
         if lock is None:
             return
-        if self._created and not (self.path / level_json.NAME).exists() and not (self.path / STAGE / RECORD).exists():
-            remove_empty(self.path)
-        lock.release()
+        if not (self.path / level_json.NAME).exists() and not (self.path / STAGE / RECORD).exists():
+            remove_empty(self.path, self._created)
+        let_go(self.path, lock)
 
     def read(self) -> Level:
         """The level as last committed; needs no lock."""

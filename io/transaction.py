@@ -41,6 +41,8 @@ class Transaction:
     def begin(self) -> None:
         self.hook("begin")
         (self.folder / "layers").mkdir(exist_ok=True)
+        if not os.access(self.folder / "layers", os.W_OK | os.X_OK):  # now, not when the record already stands
+            raise PermissionError(errno.EACCES, "its folder layers is read-only")
         self.stage.mkdir()
         (self.stage / "layers").mkdir()
 

@@ -100,13 +100,17 @@ def get(model: BaseModel, path: str) -> Any:
 def replace(model: Model, path: str, value: Any) -> Model:
     """A copy with one dotted value changed and checked; BadInput says what the range is."""
     get(model, path)
+    return _replace(model, path, value, path)
+
+
+def _replace(model: Model, path: str, value: Any, whole: str) -> Model:
     head, _, rest = path.partition(".")
     if rest:
-        return model.model_copy(update={head: replace(getattr(model, head), rest, value)})
+        return model.model_copy(update={head: _replace(getattr(model, head), rest, value, whole)})
     try:
         checked = type(model).model_validate({**{n: getattr(model, n) for n in type(model).model_fields}, head: value})
     except ValidationError as error:
-        raise BadInput(sentence(error, path, value)) from None
+        raise BadInput(sentence(error, whole, value)) from None
     return checked
 
 

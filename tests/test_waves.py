@@ -208,7 +208,7 @@ def test_flatter_bed_makes_a_faster_front():
 
 def test_settings_out_of_range_are_refused_in_one_sentence():
     level = make_beach()
-    with pytest.raises(BadInput, match=r"swell_m = 99.*less than or equal to 8"):
+    with pytest.raises(BadInput, match=r"^sea\.swell_m = 99.*less than or equal to 8"):
         level.set("sea.swell_m", 99)
     with pytest.raises(BadInput, match="no setting is called"):
         level.set("sea.swel", 1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import sys
 from collections.abc import Callable, Iterable, Iterator
@@ -120,8 +121,10 @@ def finite(value: float, flag: str, low: float, high: float) -> float:
 
 
 def writable_parent(path: Path) -> None:
-    """Refuse a file in a folder that isn't there before any work is done for it."""
+    """Refuse a file in a folder that isn't there or takes none, before any work is done for it."""
     if not path.parent.is_dir():
         raise BadInput(f"the folder {path.parent} does not exist, so {path.name} cannot be written into it")
     if path.is_dir():
         raise BadInput(f"{path} is a folder: name a file")
+    if not os.access(path.parent, os.W_OK | os.X_OK):
+        raise BadInput(f"the folder {path.parent} is read-only, so {path.name} cannot be written into it")

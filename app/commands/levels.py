@@ -37,9 +37,10 @@ def new(
 
     What the file leaves open is told (1 m cells, north row first); what contradicts a flag is refused.
     """
+    from ...io.lock import is_husk
     from ..session import Session
 
-    if level.exists():
+    if level.exists() and not is_husk(level):
         raise BadInput(f"{level} exists already: choose another name")
     if terrain is None:
         given = {"--rows": rows, "--depth-down": depth_down, "--array": array, "--height-range": height_range}

@@ -41,7 +41,8 @@ def render(
     times = _times(time, frames, fps)
     writable_parent(output)
     found = _level(level, assignments)
-    return _draw(found, _camera(found, camera), output, times, {**options, **_checked(view, hide)})
+    options |= _checked(view, hide)
+    return _draw(found, _camera(found, camera), output, times, frames is not None, options)
 
 
 def _times(start: float, frames: int | None, fps: float) -> list[float]:
@@ -89,7 +90,7 @@ def _checked(view: str, hide: list[str] | None) -> dict:
     return {"show": Show.hide(",".join(hide or []))}
 
 
-def _draw(level, camera, output: Path, times: list[float], options: dict) -> int:
+def _draw(level, camera, output: Path, times: list[float], numbered: bool, options: dict) -> int:
     from ...io.images import write_image
     from ...renderer import render as picture
 
@@ -97,8 +98,7 @@ def _draw(level, camera, output: Path, times: list[float], options: dict) -> int
     with progress("Drawing") as tell:
         for number, time_s in enumerate(times, 1):
             pixels = picture(level, camera, time_s=time_s, linear=linear, **options)
-            single = len(times) == 1
-            path = output if single else output.with_name(f"{output.stem}_{number:04d}{output.suffix}")
+            path = output if not numbered else output.with_name(f"{output.stem}_{number:04d}{output.suffix}")
             write_image(path, pixels)
             tell(number, len(times))
             tell.put(str(path))

@@ -6,6 +6,7 @@ as its manifest says; anything else in it means that the person chose the wrong 
 
 from __future__ import annotations
 
+import contextlib
 import os
 import secrets
 import shutil
@@ -18,6 +19,7 @@ from .manifest import inside, load
 
 JUNK = frozenset({".DS_Store", "Thumbs.db", "desktop.ini"})  # file browsers leave these everywhere
 PART = ".shorewright-part-"
+LOCK = ".lock"
 
 
 @contextmanager
@@ -27,12 +29,19 @@ def staged(out: Path, manifest_name: str, target: str) -> Iterator[Path]:
     A new `out` appears by one rename. One that exists may be a mount point or somebody's working directory, so it
     stays and its files are moved. BadInput when `out` holds other things or the disk refuses.
     """
+    from filelock import FileLock
+
     out = out.resolve()
     owned(out, manifest_name, target)
     fresh = not out.exists()
-    part = (out.parent if fresh else out) / f"{PART}{os.getpid()}-{secrets.token_hex(4)}"
+    home = out.parent if fresh else out
+    part = home / f"{PART}{os.getpid()}-{secrets.token_hex(4)}"
+    lock = FileLock(home / (part.name + LOCK), timeout=0)
     try:
-        part.mkdir(parents=True)
+        home.mkdir(parents=True, exist_ok=True)
+        sweep(home)
+        lock.acquire()
+        part.mkdir()
         yield part
         before = owned(out, manifest_name, target)  # a long export: somebody may have put something there since
         if out.exists():
@@ -43,6 +52,25 @@ def staged(out: Path, manifest_name: str, target: str) -> Iterator[Path]:
         raise BadInput(f"cannot write the export to {out}: {error.strerror or error}") from None
     finally:
         shutil.rmtree(part, ignore_errors=True)
+        _let_go(lock)
+
+
+def sweep(home: Path) -> None:
+    """Take away what killed exports left in a folder; a running one holds the lock of its own part."""
+    from filelock import FileLock, Timeout
+
+    for name in {entry.name.removesuffix(LOCK) for entry in home.glob(f"{PART}*")}:
+        lock = FileLock(home / (name + LOCK), timeout=0)
+        with contextlib.suppress(Timeout, OSError):
+            lock.acquire()
+            shutil.rmtree(home / name, ignore_errors=True)
+            _let_go(lock)
+
+
+def _let_go(lock) -> None:
+    with contextlib.suppress(OSError):
+        os.unlink(lock.lock_file)  # while it is held; filelock refuses a file without a name
+    lock.release()
 
 
 def owned(out: Path, manifest_name: str, target: str) -> list[str]:
