@@ -7,11 +7,16 @@ from pathlib import Path
 import numpy as np
 import pytest
 from coasts import make_beach
+from hypothesis import HealthCheck, settings
 
 # What macOS offers: everything must work there (design, GL 4.1). Set before the first context is made.
 os.environ.setdefault("MESA_GL_VERSION_OVERRIDE", "4.1FC")
 os.environ.setdefault("MESA_GLSL_VERSION_OVERRIDE", "410")
 os.environ.setdefault("LP_NUM_THREADS", "2")
+
+# No test may fail by timing, and a failure must come again the next time.
+settings.register_profile("steady", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("steady")
 
 DATA = Path(__file__).parents[2] / "shared" / "data"
 
