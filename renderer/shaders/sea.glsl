@@ -95,6 +95,9 @@ void fade_surf(inout Sea sea) {
     sea.shore.back *= share;
     sea.shore.fall *= share;
     sea.bed.sea.x *= share;
+    // out there it is open sea, whatever the border shows
+    sea.deep = mix(1.0, sea.deep, share);
+    sea.bed.depth.x = mix(u_apron.y, sea.bed.depth.x, share);
 }
 
 // The wave where the pixel's ray is `way` metres beyond `start`; returns how far the ray is above it.
@@ -180,18 +183,20 @@ void main() {
     float column = water_column(sea, position.z);
     float rippled = ripple_share(column);
     vec3 ripple = water_ripples(before, long_m) * vec3(rippled, rippled, rippled * rippled);
-    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * sharp.x + ripple.xy;
+    float body = wave_body(sea, sharp.x);
+    // a shore wave is lit as the steep wave it stands for: cells of half a metre carry a gentler one
+    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (sharp.x * (1.0 + 0.9 * body)) + ripple.xy;
     float lost = ripple.z + sea.deep * dot(u_wave_slope, 1.0 - sharp * sharp);
     vec3 normal = normalize(vec3(-slope, 1.0));
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
-    Foam foam = Foam(0.0, 0.0, 0.0, 0.0);
-    if (u_show_procedural_foam) foam = sea_foam(sea, before, column, sharp.x, pixel_m);
+    float paint = 0.0;
     if (u_show_painted_foam) {
-        vec2 paint = layer_at(u_layer_foam, before, u_cell_m).rg;
-        foam = foam_painted(foam, before, max(paint.x, paint.y), pixel_m);
+        vec2 painted = layer_at(u_layer_foam, before, u_cell_m).rg;
+        paint = saturate(max(painted.x, painted.y));
     }
+    Foam foam = sea_foam(sea, before, column, sharp.x, paint, u_show_procedural_foam, pixel_m);
 
     vec4 land = below(normal, eye_depth, away);
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
@@ -201,11 +206,14 @@ void main() {
     float roughness = water_roughness(u_water_roughness * mix(0.6, 1.0, rippled), lost);
     vec3 sun = sun_radiance() * sun_visibility(position), sky = sky_irradiance(vec3(0.0, 0.0, 1.0));
     vec2 bed_xy = before - to_eye.xy * land.w;
+    float face = wave_face(sea, normal, body);
+    depth += 1.3 * face;
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
+    from_below *= wave_shade(normal, body);
     from_below = bubbles(from_below, foam, sun, sky);
-    from_below += water_crest_light(sea.height01 * sharp.x, normal, to_eye, u_sun_direction) * sun;
+    from_below += water_crest_light(max(sea.height01 * sharp.x, body), normal, to_eye, u_sun_direction) * sun;
     from_below *= (1.0 - water_fresnel(cosine, roughness)) * (1.0 - foam.cover);
-    write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0, normal, mix(roughness, FOAM_ROUGHNESS, foam.cover),
+    write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, mix(roughness, FOAM_ROUGHNESS, foam.cover),
                           u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
 }
 #endif

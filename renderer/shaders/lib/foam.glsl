@@ -39,49 +39,45 @@ struct Foam {
     float amount;    // before the texture: thickness
     float bubbles;   // pale volume of air under the surface
     float relief;    // height of the foam, 0 … 1
+    float fresh;     // 1 just beaten up, 0 old lace
 };
 
-// `before` undeformed xy; masks of the shore waves; `shore_edge` 1 at the water's edge, falling to 0 some way out;
-// `crest` foam of breaking crests offshore; `flow` m/s; `to_light` horizontal, towards the sun.
-Foam foam_at(vec2 before, float line, float back, float fall, float shore_edge, float crest, vec2 flow, vec2 to_light,
-             float pixel_m) {
-    // where it lies: foam is marbled at every scale, so the same cells serve five times as wide
-    float marble_lod = log2(max(pixel_m * FOAM_TEXELS / (5.3 * u_foam_tile_m), 1.0));
-    float near = textureLod(u_foam, turn(before, 0.29, 0.957) / (5.3 * u_foam_tile_m), marble_lod).g;
-    float wide = noise_at(before, 140.0, pixel_m).g;
-    float patches = wide * 0.55 + near * 0.45;
-    float torn = smoothstep(0.30, 0.72, patches);
-    float front = saturate(fall * (0.15 + 0.95 * torn));
-    float wake = back * back * smoothstep(0.42, 0.85, patches) * 0.42;
-    float crown = line * line * (0.04 + 0.50 * torn);
-    float lace = shore_edge * (0.04 + 0.30 * torn);
-    float rim = smoothstep(0.62, 0.92, shore_edge) * (0.10 + 0.50 * near);
-    float amount = 1.0 - (1.0 - front) * (1.0 - wake) * (1.0 - crown) * (1.0 - lace) * (1.0 - rim) * (1.0 - saturate(crest));
-    amount = saturate(amount * u_foam_amount);
-    if (amount < 0.004) return Foam(0.0, 0.0, 0.0, 0.0);
+const Foam NO_FOAM = Foam(0.0, 0.0, 0.0, 0.0, 0.0);
+
+// How foam lies in patches, 0 … 1: the same cells five times as wide, and broad clouds.
+float foam_patches(vec2 before, float pixel_m, out float near) {
+    float lod = log2(max(pixel_m * FOAM_TEXELS / (5.3 * u_foam_tile_m), 1.0));
+    near = textureLod(u_foam, turn(before, 0.29, 0.957) / (5.3 * u_foam_tile_m), lod).g;
+    return noise_at(before, 140.0, pixel_m).g * 0.55 + near * 0.45;
+}
+
+// The texture's answer to an amount of foam. `fresh` foam is bright and thick, `rim` a line of bubbles; `before`
+// undeformed xy; `flow` m/s; `to_light` horizontal, towards the sun.
+Foam foam_at(vec2 before, float amount, float fresh, float rim, vec2 flow, vec2 to_light, float pixel_m) {
+    if (amount < 0.004) return NO_FOAM;
     float lod = log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4));
+    float close = 1.0 - smoothstep(-0.5, 2.5, lod), grain = 0.4;
+    vec4 cells = vec4(0.5, 0.5, 0.5, 0.35);
+    if (close > 0.0) {
+        cells = textureLod(u_foam, turn(before, 0.454, 0.891) * (4.7 / u_foam_tile_m), max(lod + 2.2, 0.0));
+        grain = mix(grain, 0.5 * cells.g + 0.5 * cells.a, close);
+    }
+    // cells within cells fray the threads, bubbles eat into the edges: the texture alone would be blurred
     float lee;
-    vec4 fields = foam_fields(before, flow, to_light, max(lod, 0.0), lee);
-    float close = 1.0 - smoothstep(-1.0, 1.5, lod);
-    if (close > 0.0)  // bubbles eat into the edges where the texture alone would be blurred
-        fields.rgb += (textureLod(u_foam, before * (4.7 / u_foam_tile_m), max(lod + 2.2, 0.0)).a - 0.35) * 0.26 * close;
+    vec2 frayed = before + (cells.gb - 0.5) * (0.030 * u_foam_tile_m * close);
+    vec4 fields = foam_fields(frayed, flow, to_light, max(lod, 0.0), lee);
+    fields.rgb += ((cells.a - 0.35) * 0.22 + (cells.g - 0.5) * vec3(0.34, 0.30, 0.20)) * close;
     float cover = foam_cover(fields, amount, max(lod, 0.0));
     float fine = mix(fields.a, 0.4, smoothstep(0.0, 3.0, lod));
-    cover = saturate(cover * (0.86 + 0.22 * fine) + 0.25 * rim * fine * (1.0 - cover));
-    return Foam(cover, amount, smoothstep(0.15, 0.9, amount), saturate(cover * mix(fields.b, fields.g, 0.4) - 1.6 * lee));
+    cover = saturate(cover * (0.84 + 0.10 * fresh + 0.20 * fine) + 0.30 * rim * fine * (1.0 - cover));
+    float relief = cover * mix(mix(fields.b, fields.g, 0.4), 0.5 + grain, 0.35 * close) - 1.6 * lee * mix(1.0, 1.5, fresh);
+    return Foam(cover, amount, smoothstep(0.15, 0.9, amount), saturate(relief), fresh);
 }
 
-// Painted foam joins what the waves made; it goes through the same texture.
-Foam foam_painted(Foam foam, vec2 before, float paint, float pixel_m) {
-    if (paint < 0.004) return foam;
-    float lod = max(log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4)), 0.0);
-    float amount = saturate(paint);
-    float cover = foam_cover(textureLod(u_foam, before / u_foam_tile_m + 0.21, lod), amount, lod);
-    return Foam(max(foam.cover, cover), max(foam.amount, amount), max(foam.bubbles, amount), max(foam.relief, cover));
+// Reflectance of foam: fresh thick foam is nearly white, old thin foam lets the water through (Koepke 1984).
+vec3 foam_albedo(Foam foam) {
+    float thick = mix(0.62, 0.86, smoothstep(0.25, 0.9, foam.amount));
+    return vec3(0.94, 0.97, 0.98) * mix(thick, 0.90, foam.fresh) * mix(0.70, 1.04, foam.relief);
 }
-
-// Reflectance of foam: thick foam is nearly white, thin foam lets the water through (Koepke 1984 for old foam).
-vec3 foam_albedo(Foam foam) { return vec3(0.80, 0.83, 0.84) * mix(0.72, 1.0, smoothstep(0.2, 0.8, foam.amount))
-           * mix(0.66, 1.06, foam.relief); }
 
 const float FOAM_ROUGHNESS = 0.85;

@@ -3,6 +3,7 @@
 #include "lib/sky.glsl"
 #include "lib/water.glsl"
 #include "lib/foam.glsl"
+#include "lib/swash.glsl"
 
 const float BREAKS_S = 0.45, BROKEN_S = 0.85;  // share of the shore range over which fronts turn into foam
 
@@ -21,14 +22,59 @@ vec2 surface_flow(Sea sea) {
     return uphill / steep * (broken * mix(-0.25, 0.9, clamp(sea.shore.line + sea.shore.fall, 0.0, 1.0)));
 }
 
-Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float pixel_m) {
-    float broken = smoothstep(BREAKS_S, BROKEN_S, sea.shore.s);
+// The falling crest: a bright line some metres wide that topples over the face, lower the further the wave has broken
+// (D04). `down_m` counts from the top of the wave over its face, `to_m` turns shares of the range into metres.
+float crest_foam(ShoreMasks m, float to_m, float down_m, float broken, float tear) {
+    float reach_m = mix(-0.5, 1.0, broken) * min(u_shore_width * to_m, 9.0);
+    float over = 1.0 - smoothstep(-1.6, 1.6, down_m - reach_m + 5.0 * (tear - 0.5));
+    float behind = exp2(min(down_m, 0.0) / mix(0.7, 1.6, broken));
+    return over * behind * smoothstep(0.05, 0.4, broken) * smoothstep(0.02, 0.3, max(m.fall, m.line));
+}
+
+// What the waves leave: crest line, torn back, lace on the sheet, its rim on the sand; `paint` is the painted layer.
+Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool waves, float pixel_m) {
+    ShoreMasks m = sea.shore;
     float shore = sea.bed.sea.x * u_shore_on;
-    // the last decimetre of water carries the rim, half a metre the lace behind it
-    float sheet = exp2(-max(column, 0.0) / 0.16) * shore;
-    float crest = smoothstep(0.55, 0.95, sea.height01) * sea.deep * sharp * 0.5;
-    return foam_at(before, sea.shore.line * broken, sea.shore.back * broken, sea.shore.fall * broken, sheet, crest,
-                   surface_flow(sea), u_sun_direction.xy, pixel_m);
+    float offshore = saturate(smoothstep(0.55, 0.95, sea.height01) * sea.deep * sharp * 0.5);
+    if (shore * m.s < 0.2 && offshore + paint < 0.004) return NO_FOAM;
+    float near;
+    float patches = foam_patches(before, pixel_m, near);
+    float torn = smoothstep(0.30, 0.70, patches);
+    float broken = smoothstep(BREAKS_S, BROKEN_S, m.s + 0.30 * (patches - 0.5));
+    float steep = max(length(sea.bed.clock.yz), 0.015);
+    float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
+    float crest = crest_foam(m, to_m, down_m, broken, near);
+    float back = max(m.back, m.line) * broken;
+    float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
+    // the sheet: dense while it runs up, lace whose holes grow while it drains
+    float sheet = exp2(-max(column, 0.0) / 0.13) * shore;
+    float drained = swash_drained(swash_phase(swash_early(sea.position.xy)));
+    float lace = sheet * mix(0.22 + 0.50 * torn, 0.30 * torn, smoothstep(0.0, 0.6, drained));
+    float edge_m = (m.edge_s - m.s) * u_shore_range_m / steep;
+    float rim = shore * smoothstep(1.0, 0.15, edge_m / (0.45 + 2.0 * pixel_m + 0.6 * near));
+    rim *= mix(0.30 + 0.55 * near, 0.25 * near, smoothstep(0.1, 0.7, drained));
+    float clean = (1.0 - crest * mix(0.97, 0.80, smoothstep(0.95, 1.02, m.s))) * (1.0 - wake) * (1.0 - lace) * (1.0 - rim) * (1.0 - offshore);
+    clean = waves ? clean : 1.0;
+    float amount = 1.0 - (1.0 - saturate((1.0 - clean) * u_foam_amount)) * (1.0 - paint * (0.34 + 0.26 * back));
+    return foam_at(before, amount, max(crest, rim), rim, surface_flow(sea), u_sun_direction.xy, pixel_m);
+}
+
+// How much of a shore wave stands here, 0 … 1.
+float wave_body(Sea sea, float sharp) {
+    return smoothstep(0.12, 0.8, sea.shore.lift.x / max(u_shore_height_m, 0.1)) * sea.bed.sea.x * u_shore_on * sharp;
+}
+
+// 1 on its steep shoreward face, where the eye looks a long way through green water.
+float wave_face(Sea sea, vec3 normal, float body) {
+    vec2 uphill = -sea.bed.clock.yz;
+    float steep = length(uphill);
+    return steep > 1e-4 ? body * smoothstep(0.04, 0.30, dot(normal.xy, uphill / steep)) : 0.0;
+}
+
+// Form of a standing wave in the light that comes out of it: sides that turn away from the sun take in less.
+float wave_shade(vec3 normal, float body) {
+    float turned = (dot(normal, u_sun_direction) + 0.35) / (u_sun_direction.z + 0.35);
+    return mix(1.0, clamp(turned, 0.45, 1.5), body);
 }
 
 uniform bool u_show_caustics;

@@ -1,5 +1,5 @@
 // The wet shore (L06): damp sand up to the run-up limit, and the film that mirrors the sky behind the draining sheet.
-#include "level/shore.glsl"
+#include "lib/swash.glsl"
 #include "lib/noise.glsl"
 
 struct Wet {
@@ -17,9 +17,8 @@ Wet shore_wet(vec2 xy, float height, float pixel_m) {
     float ragged = 0.16 * (noise.g - 0.5) + 0.07 * (noise.b - 0.5);
     float reach = height / max(top, 0.05);  // 0 at the still sea, 1 at the run-up limit
     float damp = (1.0 - smoothstep(0.92, 1.12, reach + ragged)) * max(moving, 1.0 - smoothstep(0.0, 0.1, height));
-    vec3 early = (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
-    float arrived = u_shore_clock * float(u_shore_count) + early.x - float(u_shore_count) / (1.0 + u_shore_runup);
-    float q = fract(arrived);
+    vec3 early = swash_early(xy);
+    float q = swash_phase(early);
     // while the next wave runs up, the film is what the last one left
     float stood = q < u_shore_uprush ? 0.0 : shore_swash(early).x;
     float left = q < u_shore_uprush ? 1.0 - 0.5 * q / u_shore_uprush : 1.0;
