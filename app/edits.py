@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from pydantic import ValidationError
 
 from ..level import BadInput, Clock
-from ..level.journal import Thing
+from ..level.atoms import Thing
 from ..level.objects import OBJECT, OBJECT_KINDS
 from ..level.params import get, replace, sentence
 from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid

@@ -56,7 +56,7 @@ def _undo(session: Session) -> list[str]:
     found = []
     if (journal.open is not None) != (session.stroke is not None):
         found.append("a step is open without a stroke, or a stroke without a step")
-    held = sum(step.bytes for step in journal.done[:-1] if not step.spilled)
+    held = sum(step.bytes for step in [*journal.done[:-1], *journal.undone[:-1]])
     if held > journal.budget_bytes:
         found.append(f"undo holds {held} bytes, more than its budget")
     if not math.isfinite(session.clock.time_s) or session.clock.time_s < 0:

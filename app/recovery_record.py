@@ -15,8 +15,10 @@ from typing import BinaryIO
 import numpy as np
 
 from ..level import Grid, Journal, Level, Rect, Settings
-from ..level.journal import Step, Thing, Tiles, Value, Whole, pack, unpack, whole_state
+from ..level.atoms import Thing, Value, Whole, whole_state
+from ..level.journal import Step
 from ..level.objects import OBJECT
+from ..level.tiles import Tiles, pack, unpack
 
 MAGIC = b"SWR1"
 FRAME = struct.Struct("<4sIII")  # magic, header bytes, payload bytes, checksum of both

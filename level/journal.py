@@ -1,8 +1,8 @@
 """Undo and redo of everything (T08): a step is a list of atoms that swap with the level.
 
 Tiles are saved before their first write and of them only the cells that differ are kept, packed (`tiles.py`); settings
-and objects are kept as the frozen models they are; whole grids (import, resize, crop) as bytes. The budget is in bytes:
-past it the oldest steps go to the store, and when there is none, away.
+and objects are kept as the frozen models they are; whole grids (import, resize, crop) as bytes (`atoms.py`). The budget
+is in bytes: past it the steps farthest from now go to the store, and when there is none, away.
 """
 
 from __future__ import annotations
@@ -13,15 +13,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import Protocol
 
-import numpy as np
-import zstandard
-
+from .atoms import Thing, Value, Whole, whole_state
 from .grid import Rect
 from .layers import LayerData
 from .level import Level
-from .tiles import Tiles, pack, unpack
-
-__all__ = ["Journal", "Step", "Store", "Thing", "Tiles", "Value", "Whole", "pack", "unpack"]
+from .tiles import Tiles
 
 
 class Store(Protocol):
@@ -33,68 +29,6 @@ class Store(Protocol):
 
 
 @dataclass
-class Value:
-    """An atom: the whole settings model as it was (frozen, so holding it costs a reference)."""
-
-    settings: object
-    path: str = ""
-    bytes: int = 512
-
-    def swap(self, level: Level) -> None:
-        now = level.settings
-        level.set_settings(self.settings)
-        self.settings = now
-
-
-@dataclass
-class Thing:
-    """An atom: one object as it was; None = absent."""
-
-    name: str
-    thing: object | None
-    bytes: int = 512
-
-    def swap(self, level: Level) -> None:
-        now = level.objects.get(self.name)
-        level.put_object(self.name, self.thing)
-        self.thing = now
-
-
-@dataclass
-class Whole:
-    """An atom: grid, base, every written tile and the georeference, for import, resize and crop."""
-
-    state: bytes
-
-    @property
-    def bytes(self) -> int:
-        return len(self.state)
-
-    def swap(self, level: Level) -> None:
-        now = whole_state(level)
-        restore_whole(level, self.state)
-        self.state = now
-
-
-def whole_state(level: Level) -> bytes:
-    """Everything that a change of grid replaces, as bytes."""
-    tiles = {
-        name: {tile: data.tile(tile) for tile in map(tuple, np.argwhere(data.written))}
-        for name, data in level.layers.items()
-    }
-    state = (level.grid, level.layers["height"].base, tiles, level.georeference)
-    return zstandard.compress(pickle.dumps(state, protocol=5), 1)
-
-
-def restore_whole(level: Level, state: bytes) -> None:
-    grid, base, tiles, level.georeference = pickle.loads(zstandard.decompress(state))
-    level.reset(grid, base)
-    for name, held in tiles.items():
-        for tile, values in held.items():
-            level.layers[name].put_tile(tile, values)
-
-
-@dataclass
 class Step:
     """A labelled list of atoms; while open it also holds the snapshots of tiles being written."""
 
@@ -103,8 +37,7 @@ class Step:
     atoms: list = field(default_factory=list)
     snapshots: dict[str, dict[tuple[int, int], tuple]] = field(default_factory=dict)
     rects: dict[str, Rect] = field(default_factory=dict)
-    spilled: str = ""
-    spilled_bytes: int = 0
+    spilled: str = ""  # key in the store, when the atoms are there
 
     @property
     def bytes(self) -> int:
@@ -160,6 +93,8 @@ class Journal:
         self._settle(step)
         if not step.atoms:
             return None
+        for gone in self.undone:
+            self._drop(gone)
         self.undone.clear()
         if step.merge_key and self.done and self.done[-1].merge_key == step.merge_key:
             return self.done[-1]  # the older step already holds the value to go back to
@@ -203,7 +138,7 @@ class Journal:
     def set(self, path: str, value: object, merge: bool = False) -> None:
         """Change a setting as a step; `merge` joins it to a running drag of the same slider."""
         with self.step(f"Set {path}", path if merge else "") as step:
-            step.atoms.append(Value(self.level.settings, path))
+            step.atoms.append(Value(self.level.settings))
             self.level.set(path, value)
 
     def put(self, name: str, thing: object | None) -> None:
@@ -233,13 +168,15 @@ class Journal:
     def _move(self, source: list[Step], target: list[Step]) -> str | None:
         if not source:
             return None
-        step = source.pop()
-        self._fetch(step)
+        step = source[-1]
+        self._fetch(step)  # when the store fails, the step stays where it is
+        source.pop()
         for atom in reversed(step.atoms):
             atom.swap(self.level)
         step.atoms.reverse()
         step.merge_key = ""
         target.append(step)
+        self._keep_budget()
         return step.label
 
     @property
@@ -248,24 +185,29 @@ class Journal:
 
     def _keep_budget(self) -> None:
         over = self.bytes - self.budget_bytes
-        oldest = [step for step in self.done[:-1] if not step.spilled]
-        for step in oldest:
-            if over <= 0:
-                return
-            over -= step.bytes
-            self._spill(step)
+        for steps in (self.done, self.undone):
+            for step in steps[:-1]:  # the farthest from now come first in both
+                if over <= 0:
+                    return
+                if not step.spilled:
+                    over -= step.bytes
+                    self._spill(step, steps)
 
-    def _spill(self, step: Step) -> None:
+    def _spill(self, step: Step, steps: list[Step]) -> None:
         if self.store is None:
-            self.done.remove(step)
+            steps.remove(step)
             return
         self._keys += 1
-        step.spilled, step.spilled_bytes = f"step{self._keys}", step.bytes
+        step.spilled = f"step{self._keys}"
         self.store.put(step.spilled, pickle.dumps(step.atoms, protocol=5))
         step.atoms = []
+
+    def _drop(self, step: Step) -> None:
+        if step.spilled:
+            self.store.drop(step.spilled)
+            step.spilled = ""
 
     def _fetch(self, step: Step) -> None:
         if step.spilled:
             step.atoms = pickle.loads(self.store.get(step.spilled))
-            self.store.drop(step.spilled)
-            step.spilled = ""
+            self._drop(step)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -110,15 +110,16 @@ class Tiles:
     layer: str
     held: dict[Tile, Patch]
     rect: Rect  # bounds of what changed
+    bytes: int = field(init=False)  # counted once a swap: panels ask in every frame
 
     def __post_init__(self) -> None:
         for tile, whole in self.held.items():
             if not isinstance(whole, Patch):
                 self.held[tile] = Patch(whole is not None, b"", whole or b"")
+        self._count()
 
-    @property
-    def bytes(self) -> int:
-        return sum(patch.bytes for patch in self.held.values())
+    def _count(self) -> None:
+        self.bytes = sum(patch.bytes for patch in self.held.values())
 
     @staticmethod
     def settle(data: LayerData, kept: Mapping[Tile, tuple], rect: Rect) -> Tiles:
@@ -142,5 +143,6 @@ class Tiles:
         data = level.layers[self.layer]
         for tile, patch in self.held.items():
             self.held[tile] = patch.swap(data, tile)
+        self._count()
         for rect in data.grid.cover(self.held, self.rect):
             level.mark(self.layer, rect)

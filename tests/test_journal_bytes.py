@@ -6,8 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from shorewright.level import LAYERS, TILE, Grid, Journal, Rect
-from shorewright.level.journal import pack, unpack
-from shorewright.level.tiles import Patch, Tiles
+from shorewright.level.tiles import Patch, Tiles, pack, unpack
 from test_journal import do, new_level, state, write
 
 
@@ -145,12 +144,32 @@ def test_with_a_store_no_step_is_lost():
     for expected in states[-2::-1]:
         journal.undo()
         assert state(journal.level) == expected
-    assert not shelf.held
+        assert journal.bytes <= 120_000, "what can be redone counts too"
     for expected in states[1:]:
         journal.redo()
         assert state(journal.level) == expected
+        assert journal.bytes <= 120_000
+    while journal.undo():
+        pass
     do(journal, ("write", "height", Rect(0, 0, 90, 90), 5))
-    assert journal.bytes <= 120_000
+    assert not shelf.held, "what can no longer be redone is given back"
+
+
+def test_a_store_that_fails_costs_no_step():
+    """The step stays where it was: everything can be undone once the store answers again."""
+    shelf = Shelf()
+    journal = Journal(new_level(), budget_bytes=10, store=shelf)
+    states = scribble_often(journal, 3)
+    journal.undo()
+    kept, shelf.held = shelf.held, {}
+    with pytest.raises(KeyError):
+        journal.undo()
+    assert len(journal.done) == 2
+    assert state(journal.level) == states[2]
+    shelf.held = kept
+    for expected in states[1::-1]:
+        journal.undo()
+        assert state(journal.level) == expected
 
 
 def test_one_step_past_the_budget_is_kept():

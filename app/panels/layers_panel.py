@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from imgui_bundle import imgui
 
 from ...level import LAYERS
-from ...level.journal import Tiles
+from ...level.tiles import Tiles
 from .. import theme
 from ..editor import Editor
 from ..param_widgets import tooltip
