@@ -39,11 +39,6 @@ def along(level: Level, start, end, points: int = 48) -> np.ndarray:
     return np.stack([px, py, ground_at(level, px, py) + LIFT_M], axis=1)
 
 
-def soft_radius_m(radius_m: float, hardness: float) -> float:
-    """Radius inside which a brush works at full strength."""
-    return radius_m * min(max(hardness, 0.0), 1.0)
-
-
 def hidden_by_land(level: Level, camera: Camera, points: np.ndarray) -> np.ndarray:
     """Whether the ground stands between the camera and each world point (n, 3); a coarse march is enough for a ring."""
     eye = place(camera)
