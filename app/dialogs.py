@@ -10,7 +10,7 @@ from ..level import BadInput
 from . import theme
 from .editor import Editor
 from .file_forms import FORMS, WIDE, Form, OpenForm, open_level
-from .recovery import Offer, offers
+from .recovery_offer import Offer, offers
 from .session import Session
 
 log = logging.getLogger(__name__)

@@ -9,6 +9,7 @@ from __future__ import annotations
 import json
 import struct
 import zlib
+from collections.abc import Iterable
 from dataclasses import dataclass, field
 from typing import BinaryIO
 
@@ -43,6 +44,7 @@ class Change:
     settings: Settings | None = None
     objects: dict[str, object | None] = field(default_factory=dict)
     ground: Ground | None = None
+    labels: list[str] = field(default_factory=list)  # of the steps that were folded into this one
 
     @property
     def only_settings(self) -> bool:
@@ -80,16 +82,19 @@ def all_tiles(level: Level) -> dict[str, dict[Tile, np.ndarray | None]]:
     }
 
 
-def fold(changes: list[Change]) -> Change:
+def fold(changes: Iterable[Change]) -> Change:
     """Many changes as one: the newest state of everything; a new ground forgets the tiles before it."""
-    whole = Change(f"Recover {len(changes)} step{'s' if len(changes) != 1 else ''}")
+    whole = Change("")
     for change in changes:
+        whole.labels += change.labels or [change.label]
         if change.ground:
             whole.ground, whole.tiles = change.ground, {}
         for layer, tiles in change.tiles.items():
             whole.tiles.setdefault(layer, {}).update(tiles)
         whole.settings = change.settings or whole.settings
         whole.objects.update(change.objects)
+    count = len(whole.labels)
+    whole.label = f"Recover {count} step{'s' if count != 1 else ''}"
     return whole
 
 
@@ -131,7 +136,7 @@ def encode(change: Change) -> bytes:
         blobs.append(pack(values))
         return len(blobs[-1])
 
-    header: dict = {"kind": "step", "label": change.label}
+    header: dict = {"kind": "step", "label": change.label, "labels": change.labels}
     if change.ground:
         grid = change.ground.grid
         header["ground"] = {
@@ -184,7 +189,7 @@ def decode(header: dict, payload: bytes) -> Change:
         at += size
         return unpack(payload[at - size : at], tuple(shape))
 
-    change = Change(header["label"])
+    change = Change(header["label"], labels=header.get("labels", []))
     if "ground" in header:
         ground = header["ground"]
         grid = Grid(*ground["grid"])

@@ -24,7 +24,8 @@ from .spill import FileStore
 
 if TYPE_CHECKING:
     from ..renderer.show import Show
-    from .recovery import Offer, RecoveryLog
+    from .recovery import RecoveryLog
+    from .recovery_offer import Offer
 
 UNDO_BYTES = 256 << 20
 

@@ -19,7 +19,7 @@ from shorewright.app.panels.history_panel import bytes_text, go_to
 from shorewright.app.panels.layers_panel import memory
 from shorewright.app.preferences import Preferences
 from shorewright.app.probe import probe, sentence
-from shorewright.app.recovery import offers
+from shorewright.app.recovery_offer import offers
 from shorewright.app.session import Session
 from shorewright.app.viewport_overlay import ramp_text
 from shorewright.brushes import BRUSHES

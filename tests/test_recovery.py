@@ -10,9 +10,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 from coasts import make_beach
-from shorewright.app import recovery_record
+from shorewright.app import recovery, recovery_record
 from shorewright.app.invariants import broken
-from shorewright.app.recovery import RecoveryLog, offers
+from shorewright.app.recovery import RecoveryLog
+from shorewright.app.recovery_offer import offers
 from shorewright.app.session import Session
 from shorewright.io import read_level
 from shorewright.level import Rect
@@ -258,6 +259,43 @@ def test_a_log_keeps_its_order_under_load(folder, root):
         session.drag("raise" if n % 3 else "lower", (20 + n % 100, 30 + n % 60), size_m=3)
     wanted = print_of(session)
     die(session)
+    with Session.recover(offers(root)[0], spill_root=root) as again:
+        assert print_of(again) == wanted
+
+
+def test_a_log_that_grew_is_folded(folder, root, monkeypatch):
+    """Whole grids, again and again: the log holds the last one, and still every label."""
+    monkeypatch.setattr(recovery, "FOLD_BYTES", 60_000)
+    session = opened(folder, root)
+    largest = 0
+    for n in range(12):
+        session.drag("raise", (40 + n, 40), size_m=6)
+        session.resize(samples=150 + n % 2)
+        session.place(Camera(id=f"camera{n}", x=n, y=n))
+        session.recovery._rest()
+        largest = max(largest, session.recovery.path.stat().st_size)
+    assert largest < 400_000
+    assert not session.recovery.failed
+    wanted = print_of(session)
+    die(session)
+    (offer,) = offers(root)
+    assert offer.labels[:3] == ["Raise", "Resize", "Place camera0"]
+    assert len(offer.labels) == 36
+    with Session.recover(offer, spill_root=root) as again:
+        assert print_of(again) == wanted
+        assert again.journal.done[-1].label == "Recover 36 steps"
+
+
+def test_a_log_that_cannot_be_folded_stays_as_it_is(folder, root, monkeypatch, caplog):
+    monkeypatch.setattr(recovery, "FOLD_BYTES", 1_000)
+    monkeypatch.setattr(recovery_record, "fold", lambda changes: 1 / 0)
+    session = opened(folder, root)
+    session.drag("raise", (40, 40), (90, 90), size_m=9)
+    session.drag("raise", (40, 90), (90, 40), size_m=9)
+    wanted = print_of(session)
+    die(session)
+    monkeypatch.undo()
+    assert "could not be folded" in caplog.text
     with Session.recover(offers(root)[0], spill_root=root) as again:
         assert print_of(again) == wanted
 

@@ -11,7 +11,7 @@ from pathlib import Path
 import pytest
 from coasts import make_beach
 from shorewright import io
-from shorewright.app.recovery import offers
+from shorewright.app.recovery_offer import offers
 from shorewright.level.framing import cameras
 
 pytestmark = pytest.mark.window
