@@ -1,7 +1,6 @@
 """Brushes change layers of a level: a row of BRUSHES is effect × footprint × path × layer; a `Stroke` plays it."""
 
 from .catalog import BRUSHES, Brush
-from .record import recorded, replay
 from .stroke import Stroke
 
-__all__ = ["BRUSHES", "Brush", "Stroke", "recorded", "replay"]
+__all__ = ["BRUSHES", "Brush", "Stroke"]

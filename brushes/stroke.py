@@ -40,7 +40,7 @@ class Stroke:
         """Press at world metres; returns the cells changed. BadInput when the place or the pressure is no number."""
         if self.step is not None:
             raise RuntimeError("a stroke begins once")
-        sample = usable(x, y, pressure)
+        sample = _usable(x, y, pressure)
         if sample is None:
             raise BadInput(f"a stroke cannot begin at {x}, {y} m with pressure {pressure}: it takes finite numbers")
         row, params = self._row_and_params()
@@ -67,7 +67,7 @@ class Stroke:
 
     def move(self, x: float, y: float, pressure: float = 1.0) -> Rect:
         """Drag to world metres; returns the cells changed. Samples that are no numbers are ignored."""
-        sample = usable(x, y, pressure)
+        sample = _usable(x, y, pressure)
         if sample is None or not self.open:
             return NOWHERE
         if self.path.replaces:
@@ -132,7 +132,7 @@ class Stroke:
         return Link(*to_cells(start.x, start.y), *to_cells(end.x, end.y), start.pressure, end.pressure)
 
 
-def usable(x: float, y: float, pressure: float) -> Sample | None:
+def _usable(x: float, y: float, pressure: float) -> Sample | None:
     """A sample with finite numbers and a pressure held to 0 to 1, or None."""
     x, y, pressure = float(x), float(y), float(pressure)
     if not all(map(math.isfinite, (x, y, pressure))) or max(abs(x), abs(y)) > FARTHEST_M:
