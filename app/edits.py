@@ -36,6 +36,17 @@ class Edits(Hand):
         with self._edit(words.Set(name=path, value=get(changed, path)), merge):
             self.journal.set(path, value, merge)
 
+    def set_all(self, label: str, values: dict[str, Any]) -> None:
+        """Change settings that belong together, by path, as one step of that label."""
+        changed = self.level.settings
+        for path, value in values.items():
+            changed = replace(changed, path, value)
+        if changed == self.level.settings:
+            return
+        self._end_stroke()
+        with self._edit(words.SetAll(label=label, values={path: get(changed, path) for path in values})):
+            self.journal.set_settings(label, changed)
+
     def seal(self) -> None:
         """The slider was let go: its next change is a step of its own."""
         self.journal.seal()
@@ -162,7 +173,10 @@ class Edits(Hand):
         return words.Script(actions=self.record).dump()
 
     def run(self, script: dict | words.Script, name: str = "the script", progress=None) -> int:
-        """Do everything in a script, checked first; returns how many actions. BadInput names the action's number."""
+        """Do everything in a script, checked first; returns how many actions.
+
+        BadInput names the number of the action that failed; what was done before it stays, as steps to undo.
+        """
         script = words.parse(script, name)
         self._rehearse(script, name)
         for number, action in enumerate(script.actions, 1):
@@ -183,6 +197,9 @@ class Edits(Hand):
                     self.with_params(action.brush, action.params, fresh=True)
                 elif isinstance(action, words.Set):
                     settings = replace(settings, action.name, action.value)
+                elif isinstance(action, words.SetAll):
+                    for path, value in action.values.items():
+                        settings = replace(settings, path, value)
             except BadInput as error:
                 raise BadInput(f"{name}, action {number} ({action.do}): {error}") from None
 
@@ -194,6 +211,8 @@ class Edits(Hand):
                 self.draw(action.brush, params, action.points, **options)
             case words.Set():
                 self.set(action.name, action.value)
+            case words.SetAll():
+                self.set_all(action.label, action.values)
             case words.Time():
                 self.scrub(action.t)
             case words.Steps():

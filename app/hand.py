@@ -6,7 +6,7 @@ from typing import Any
 
 from ..brushes import BRUSHES, Stroke
 from ..level import BadInput, Journal, Level, Rect
-from ..level.params import Section, replace
+from ..level.params import Section, replace, row
 from . import script as words
 from .steps import Steps
 
@@ -36,16 +36,9 @@ class Hand(Steps):
 
     def scale_param(self, name: str, factor: float) -> None:
         """Make a parameter of the brush in hand larger or smaller, within its range."""
-        field = type(self.params[self.brush]).model_fields.get(name)
-        if field is None:
-            return
-        bounds = {type(limit).__name__: limit for limit in field.metadata}
-        value = getattr(self.params[self.brush], name) * factor
-        if "Ge" in bounds:
-            value = max(value, bounds["Ge"].ge)
-        if "Le" in bounds:
-            value = min(value, bounds["Le"].le)
-        self.set_param(name, value)
+        params = self.params[self.brush]
+        if name in type(params).model_fields:
+            self.set_param(name, row(type(params), name).clamp(getattr(params, name) * factor))
 
     # Strokes
 

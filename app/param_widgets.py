@@ -63,17 +63,6 @@ def format_of(row: Param) -> str:
     return f"%d{gap}{unit}" if row.kind == "int" else f"%.{digits(row)}f{gap}{unit}"
 
 
-def clamped(row: Param, value: Any) -> Any:
-    """A typed number inside the hard range; what is no number becomes the default."""
-    if row.kind not in ("float", "int"):
-        return value
-    if not math.isfinite(value):
-        return row.default
-    value = value if row.low is None else max(value, row.low)
-    value = value if row.high is None else min(value, row.high)
-    return int(value) if row.kind == "int" else float(value)
-
-
 def logarithmic(row: Param) -> bool:
     """Whether a range spans so much that equal ways should be equal factors: sizes and lengths from small to huge."""
     low, high = slider_range(row)
@@ -120,7 +109,7 @@ def draw(row: Param, value: Any, change: Change, seal: Callable[[], None], label
     if imgui.is_item_clicked(imgui.MouseButton_.right) and not same(row, value, row.default):
         changed, new, ended, live = True, row.default, True, False
     if changed:
-        change(clamped(row, new), live or row.kind in ("float", "int", "vector"))
+        change(row.clamp(new), live or row.kind in ("float", "int", "vector"))
     if ended:
         seal()
     imgui.pop_id()

@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, Literal, get_args
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
@@ -45,6 +45,14 @@ class Set(Do):
     do: Literal["set"] = "set"
     name: str
     value: Scalar
+
+
+class SetAll(Do):
+    """Settings that change together, as one step."""
+
+    do: Literal["set_all"] = "set_all"
+    label: str = Field("Settings", max_length=100)
+    values: dict[str, Scalar] = Field(min_length=1)
 
 
 class Time(Do):
@@ -96,9 +104,10 @@ class Import(Do):
 
 
 Action = Annotated[
-    Stroke | Set | Time | Plain | Steps | Place | Remove | Resize | Crop | Import, Field(discriminator="do")
+    Stroke | Set | SetAll | Time | Plain | Steps | Place | Remove | Resize | Crop | Import, Field(discriminator="do")
 ]
 ACTION = TypeAdapter(Action)
+WORDS = [word for row in get_args(get_args(Action)[0]) for word in get_args(row.model_fields["do"].annotation)]
 POINT = TypeAdapter(tuple[Metres, Metres, Pressure], config=ConfigDict(allow_inf_nan=False))
 
 
@@ -146,8 +155,7 @@ def _first(error: ValidationError) -> str:
     # the discriminator, and the class that a union tried, are no names a person wrote
     path = [str(part) for part in first["loc"][1:] if not str(part).startswith("tuple")]
     if not first["loc"] and first["type"].startswith("union_tag"):
-        known = "stroke set time pause run step undo redo place remove resize crop import"
-        return f'"do" must be one of {", ".join(known.split())}'
+        return f'"do" must be one of {", ".join(WORDS)}'
     told = f"{first['msg'][0].lower()}{first['msg'][1:]}"
     return f"{'.'.join(path)}: {told}" if path else told
 

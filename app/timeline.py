@@ -6,12 +6,15 @@ import math
 
 from imgui_bundle import imgui
 
+from ..level.params import row
+from ..level.settings import Settings
 from . import theme
 from .editor import Editor
 from .param_widgets import slider, tooltip
 
 PAGE_S = 60.0  # without a loop the bar shows the page of this length that time is on
 BAR_PX = 24
+RATE = row(Settings, "time.rate")
 
 
 def span(time_s: float, loop: tuple[float, float] | None) -> tuple[float, float]:
@@ -125,11 +128,11 @@ class Timeline:
         session = self.editor.session
         imgui.set_next_item_width(110)
         rate = session.level.settings.time.rate
-        changed, new = slider("###rate", rate, 0.0, 4.0, "speed %.2f×")
+        changed, new = slider("###rate", rate, *RATE.soft, "speed %.2f×")
         if imgui.is_item_clicked(imgui.MouseButton_.right):
-            changed, new = True, 1.0
+            changed, new = True, RATE.default
         if changed:
-            self.editor.set("time.rate", min(max(new, -8.0), 8.0), merge=True)
+            self.editor.set(RATE.name, RATE.clamp(new), merge=True)
         if imgui.is_item_deactivated():
             session.seal()
         tooltip("Speed of time; right click for 1×, Ctrl+click types a value, negative runs backwards.")
@@ -151,5 +154,5 @@ class Timeline:
         shore = session.level.settings.shore
         start = 0.0 if on else round(session.clock.time_s, 2)
         end = 0.0 if on else start + shore.interval_s * shore.count
-        for name, value in (("time.loop_start_s", start), ("time.loop_end_s", end)):
-            self.editor.set(name, value)
+        values = {"time.loop_start_s": start, "time.loop_end_s": end}
+        self.editor.attempt(session.set_all, "Stop looping" if on else "Loop", values)

@@ -17,6 +17,8 @@ from .atoms import Thing, Value, Whole, whole_state
 from .grid import Rect
 from .layers import LayerData
 from .level import Level
+from .params import replace
+from .settings import Settings
 from .tiles import Tiles
 
 
@@ -137,9 +139,13 @@ class Journal:
 
     def set(self, path: str, value: object, merge: bool = False) -> None:
         """Change a setting as a step; `merge` joins it to a running drag of the same slider."""
-        with self.step(f"Set {path}", path if merge else "") as step:
+        self.set_settings(f"Set {path}", replace(self.level.settings, path, value), path if merge else "")
+
+    def set_settings(self, label: str, settings: Settings, merge_key: str = "") -> None:
+        """Change any number of settings as one step."""
+        with self.step(label, merge_key) as step:
             step.atoms.append(Value(self.level.settings))
-            self.level.set(path, value)
+            self.level.set_settings(settings)
 
     def put(self, name: str, thing: object | None) -> None:
         """Place, change or remove an object as a step."""

@@ -6,6 +6,7 @@
 
 from __future__ import annotations
 
+import math
 import types
 from dataclasses import dataclass
 from typing import Any, Literal, TypeVar, Union, get_args, get_origin
@@ -44,6 +45,16 @@ class Param:
     unit: str
     doc: str
     choices: tuple[str, ...] = ()
+
+    def clamp(self, value: Any) -> Any:
+        """A number held inside the hard range; what is no number becomes the default."""
+        if self.kind not in ("float", "int"):
+            return value
+        if not math.isfinite(value):
+            return self.default
+        value = value if self.low is None else max(value, self.low)
+        value = value if self.high is None else min(value, self.high)
+        return int(value) if self.kind == "int" else float(value)
 
 
 def _kind(annotation: Any) -> tuple[str, tuple[str, ...]]:
@@ -85,6 +96,11 @@ def describe(model: type[BaseModel], prefix: str = "") -> list[Param]:
             )
         )
     return rows
+
+
+def row(model: type[BaseModel], path: str) -> Param:
+    """The row of one parameter; KeyError when there is none."""
+    return {row.name: row for row in describe(model)}[path]
 
 
 def get(model: BaseModel, path: str) -> Any:

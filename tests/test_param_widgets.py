@@ -42,7 +42,7 @@ def test_the_default_can_be_read_off_its_widget(row):
 def test_whatever_is_typed_the_level_takes_it(row):
     """A typed value is brought into the hard range, so that it is never refused."""
     for typed in (-1e30, -1.5, 0.0, 3.7, 1e30, math.inf, math.nan):
-        value = widgets.clamped(row, typed)
+        value = row.clamp(typed)
         assert get(replace(Settings(), row.name, value), row.name) == value
 
 

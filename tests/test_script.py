@@ -20,6 +20,7 @@ ALL = [
     {"do": "place", "object": {"id": "a", "kind": "camera", "x": 1, "y": 2}},
     {"do": "remove", "id": "a"},
     {"do": "resize", "samples": 100},
+    {"do": "set_all", "label": "Loop", "values": {"time.loop_start_s": 1.5, "time.loop_end_s": 9}},
     {"do": "crop", "west_m": 0, "south_m": 0, "east_m": 9, "north_m": 9},
     {"do": "import", "path": "coast.png", "flags": {"height_range": [0, 9]}},
 ]

@@ -155,11 +155,18 @@ def test_crop_moves_objects_and_keeps_bits(session):
 def test_time_settings_reach_the_clock(session):
     """T05: the clock follows the level's rate and loop, through undo too."""
     session.set("time.rate", 2)
-    session.set("time.loop_end_s", 10)
-    assert (session.clock.rate, session.clock.loop) == (2, (0, 10))
+    session.set_all("Loop", {"time.loop_start_s": 4, "time.loop_end_s": 10})
+    assert (session.clock.rate, session.clock.loop) == (2, (4, 10))
+    assert session.undo() == "Loop", "both ends are one step"
+    assert session.clock.loop is None
+    session.redo()
+    assert session.script["actions"][-3]["values"] == {"time.loop_start_s": 4.0, "time.loop_end_s": 10.0}
+    with pytest.raises(BadInput, match=r"time\.loop_end_s"):
+        session.set_all("Loop", {"time.loop_start_s": 5, "time.loop_end_s": -1})
+    assert session.clock.loop == (4, 10)
     session.clock.scrub(9.5)
     session.advance(1.0)
-    assert session.clock.time_s == pytest.approx(1.5)
+    assert session.clock.time_s == pytest.approx(5.5)
     session.undo()
     assert session.clock.loop is None
 
