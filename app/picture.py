@@ -17,6 +17,7 @@ STILL_STEP = 2.0  # it grows by this much a time, so that something sharper is s
 LONGEST_STILL_S = 6.0  # and no larger than what should take this long
 WIDGETS_FIRST = 2  # frames with widgets only: the first picture waits for its shaders
 RETRY_S = 3.0  # after a failure
+STILLS = {"low": "medium"}  # tiers that are there for speed draw what stands still as another
 
 
 @dataclass
@@ -26,6 +27,7 @@ class Drawn:
     key: Any
     size: tuple[int, int]
     seconds: float  # what drawing it cost
+    quality: str
 
 
 class Picture:
@@ -55,7 +57,7 @@ class Picture:
         if self.drawn is None or self.drawn.key != key:
             self._changed_at = now
             self._draw(editor, key, self._scaled(size, self.governor.scale), moving=True)
-        elif self.drawn.size != size and now - self._changed_at > SETTLE_S and not editor.live:
+        elif not self._settled(editor, size) and now - self._changed_at > SETTLE_S and not editor.live:
             still = self._sharper(size)
             if still:
                 self._draw(editor, key, still, moving=False)
@@ -67,6 +69,10 @@ class Picture:
         if self.drawn is None:
             return not self.failure
         return self._unfinished or self._changed_at + SETTLE_S * 2 > time.monotonic()
+
+    def _settled(self, editor: Editor, size: tuple[int, int]) -> bool:
+        """Whether what is shown is what a picture that stands still becomes in the end."""
+        return (self.drawn.size, self.drawn.quality) == (size, STILLS.get(editor.quality, editor.quality))
 
     @staticmethod
     def _scaled(size: tuple[int, int], scale: float) -> tuple[int, int]:
@@ -89,11 +95,13 @@ class Picture:
         if self.failure and time.monotonic() - self._failed_at < RETRY_S:
             return
         session = editor.session
+        quality = editor.quality if moving else STILLS.get(editor.quality, editor.quality)
         start = time.perf_counter()
         try:
             self.texture = self._renderer().draw(
                 session.level, session.camera, size, session.clock.time_s, session.view,
-                show=session.show, quality=editor.quality, overlays=editor.overlays,
+                show=session.show, quality=quality, overlays=editor.overlays,
+                scale=1.0,  # the governor has chosen the pixels: the tier's own scale would lower them twice
             )  # fmt: skip
             self.ctx.finish()
         except Exception as error:
@@ -107,8 +115,8 @@ class Picture:
             self._note(size, seconds)
         smooth = self.ctx.LINEAR if size != self._pixels(key) else self.ctx.NEAREST
         self.texture.filter = smooth, smooth
-        self.drawn = Drawn(key, size, seconds)
-        self._unfinished = size != self._pixels(key)
+        self.drawn = Drawn(key, size, seconds, quality)
+        self._unfinished = not self._settled(editor, self._pixels(key))
         self.draws += 1
 
     def _note(self, size: tuple[int, int], seconds: float) -> None:

@@ -48,6 +48,8 @@ PASSES: tuple[Pass, ...] = (
     Pass("view", ("view.glsl",), (*GBUFFER, "hdr"), ("picture",), "Instead of it: a buffer or a mask.", "T11"),
     Pass("display", ("display.glsl",), ("picture",), ("shown", "display"), "Exposure, curve, sRGB, dither.", once=True),
     Pass("antialias", ("antialias.glsl",), ("shown",), ("display",), "Smooths single frames.", once=True),
+    Pass("upscale", ("upscale.glsl",), ("shown", "smoothed"), ("display",), "To full size where fewer are drawn.",
+         once=True),
     Pass("overlay", ("overlay.glsl", "lines.glsl"), ("g_eye_depth", "under_eye_depth"), ("display",),
          "Brush ring, walkable depth, outline, lines.", "D31 D40", once=True),
 )  # fmt: skip
@@ -60,7 +62,8 @@ class Frame:
     renderer: Renderer
     level: Level  # its settings are those of the show flags
     camera: Camera
-    size: tuple[int, int]
+    size: tuple[int, int]  # what is drawn
+    full_size: tuple[int, int]  # what is shown; larger where the tier draws fewer pixels
     time_s: float
     view: View
     show: Show
@@ -72,6 +75,11 @@ class Frame:
     textures: dict
     uniforms: dict = field(default_factory=dict)
     stats: dict = field(default_factory=dict)
+
+    @property
+    def scaled(self) -> bool:
+        """True where fewer pixels are drawn than shown."""
+        return self.size != self.full_size
 
     @property
     def smoothed(self) -> bool:
@@ -100,7 +108,7 @@ class Renderer:
         self.programs = Programs(ctx)
         self.uploader = Uploader(ctx)
         self.generated = Textures(ctx)
-        self.targets: dict[tuple[int, int], object] = {}
+        self.targets: dict[tuple, object] = {}
         self.meshes: dict[int, object] = {}
         self.kept: dict[str, object] = {}  # what passes keep from frame to frame
         self.stats: dict = {}
@@ -108,15 +116,18 @@ class Renderer:
     def draw(
         self, level: Level, camera: Camera, size: tuple[int, int], time_s: float = 0.0, view: str = "final",
         show: Show | None = None, quality: str = "medium", samples: int = 1, overlays: Overlays | None = None,
+        scale: float | None = None,
     ):  # fmt: skip
         """Draw a picture; returns the texture to show, RGBA8 `size`, its first row at the bottom.
 
-        `samples` > 1 averages that many pictures, each moved by a part of a pixel, in linear light.
+        `samples` > 1 averages that many pictures, each moved by a part of a pixel, in linear light. `scale` is the
+        share of the sides that is drawn before a filter fills them, None the tier's; views of numbers are never scaled.
         """
         row = find_view(view)
-        targets = self._targets(size)
+        scale = 1.0 if row.value else tier(quality).scale if scale is None else scale
         for index in range(max(samples, 1)):
-            frame = self.prepare(level, camera, size, time_s, row, show, quality, overlays, samples, index)
+            frame = self.prepare(level, camera, size, time_s, row, show, quality, overlays, samples, index, scale)
+            targets = frame.targets
             self._run(frame, once=False)
             if samples > 1:
                 self._accumulate(targets, index)
@@ -127,16 +138,16 @@ class Renderer:
         return targets.textures["display"]
 
     def read(self, linear: bool = False) -> np.ndarray:
-        """The picture last drawn, row 0 on top: uint8 or (linear) float32 `(height, width, 3)`."""
+        """The picture last drawn, row 0 on top: uint8 or (linear) float32 `(height, width, 3)` of what was drawn."""
         targets = next(iter(self.targets.values()))
         framebuffer, kind, dtype = (targets.picture, np.float32, "f4") if linear else (targets.display, np.uint8, "f1")
         data = framebuffer.read(components=3, dtype=dtype, alignment=1)
-        width, height = targets.size
+        width, height = framebuffer.size
         return np.frombuffer(data, kind).reshape(height, width, 3)[::-1].copy()
 
     def prepare(
         self, level: Level, camera: Camera, size, time_s: float, view: View, show: Show | None, quality: str,
-        overlays: Overlays | None, samples: int = 1, index: int = 0,
+        overlays: Overlays | None, samples: int = 1, index: int = 0, scale: float = 1.0,
     ) -> Frame:  # fmt: skip
         """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
         from .uniforms import frame_uniforms
@@ -146,12 +157,14 @@ class Renderer:
         shown.settings = show.settings(level.settings)
         self.uploader.sync(level)
         self.generated.update(shown)
-        matrices = camera_matrices(camera, size, self._near(level, camera), jitter(index, samples))
-        targets = self._targets(size)
+        drawn = tuple(max(round(side * scale), 1) for side in size)
+        offset = np.array(jitter(index, samples)) * size / drawn
+        matrices = camera_matrices(camera, size, self._near(level, camera), tuple(offset))
+        targets = self._targets(size, drawn)
         textures = {**self.uploader.textures, **dict(self.generated.items()), **targets.textures}
         frame = Frame(
-            self, shown, camera, size, time_s, view, show, row, overlays or Overlays(), samples, matrices, targets,
-            textures,
+            self, shown, camera, drawn, size, time_s, view, show, row, overlays or Overlays(), samples, matrices,
+            targets, textures,
         )  # fmt: skip
         frame.uniforms = frame_uniforms(frame)
         return frame
@@ -171,14 +184,14 @@ class Renderer:
         top = max(float(self.uploader.bounds.range[1]) if self.uploader.bounds else camera.z, level.sea_level_m)
         return float(np.clip(0.4 * (camera.z - top - 2 * largest_height_m(level)), 0.1, 200.0))
 
-    def _targets(self, size: tuple[int, int]):
+    def _targets(self, size: tuple[int, int], drawn: tuple[int, int]):
         from .targets import Targets
 
-        if size not in self.targets:
+        if (size, drawn) not in self.targets:
             for old in self.targets.values():
                 old.release()
-            self.targets = {size: Targets(self.ctx, size)}
-        return self.targets[size]
+            self.targets = {(size, drawn): Targets(self.ctx, size, drawn)}
+        return self.targets[size, drawn]
 
     def _accumulate(self, targets, index: int) -> None:
         total = targets.total

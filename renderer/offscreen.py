@@ -66,5 +66,6 @@ def render(
         raise BadInput(f"{samples} samples a pixel are outside 1 to {MOST_SAMPLES}")
     camera = level.camera(camera) if isinstance(camera, str) else camera
     renderer = renderer or own_renderer()
-    renderer.draw(level, camera, size, time_s, view, show, quality, samples, overlays)
+    scale = 1.0 if linear else None  # numbers are never made up by a filter
+    renderer.draw(level, camera, size, time_s, view, show, quality, samples, overlays, scale)
     return renderer.read(linear)

@@ -12,7 +12,11 @@ APRON_DEPTH_M = 60.0  # to where hardly any light comes back from
 
 @dataclass(frozen=True)
 class Tier:
-    """`reach` is the distance, in chunks, up to which a mesh keeps its finest cells; see mesh.py."""
+    """`reach` is the distance, in chunks, up to which a mesh keeps its finest cells; see mesh.py.
+
+    `scale` is the share of the picture's sides that is drawn: the rest comes from a filter (shaders/upscale.glsl). It
+    counts where nobody else chooses the pixels; the window's governor does, and so it draws with `scale=1`.
+    """
 
     name: str
     terrain_reach: float
@@ -22,14 +26,15 @@ class Tier:
     sea_chunk: int
     sea_distance_m: float  # from there on the sea is the horizon plane
     shadow_size: int  # samples a side of the shadow map
+    scale: float
 
 
 TIERS: dict[str, Tier] = {
     tier.name: tier
     for tier in (
-        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512),
-        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024),
-        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048),
+        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 0.5),
+        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1.0),
+        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 1.0),
     )
 }
 

@@ -11,7 +11,8 @@
 
 Position isn't stored: it is the pixel's ray times eye depth, camera-relative. `under_*` are copies of the land's part
 taken before the water is drawn (D02). `hdr` is linear radiance in kcd/m², RGBA16F; `picture` the same with
-haze, or a view's numbers, RGBA32F; `total` sums jittered frames; `shown` and `display` are display colours, RGBA8.
+haze, or a view's numbers, RGBA32F; `total` sums jittered frames; `shown`, `smoothed` (only where the picture is drawn
+smaller than it is shown) and `display` are display colours, RGBA8. All but `display` have the size that is drawn.
 """
 
 from __future__ import annotations
@@ -29,11 +30,15 @@ MATERIALS = ("nothing", "land", "sea", "river", "ice", "puddle", "snow")  # ids 
 
 
 class Targets:
-    """All textures and framebuffers of one size; `textures` by name, as shaders and VIEWS name them."""
+    """All textures and framebuffers of a picture; `textures` by name, as shaders and VIEWS name them.
 
-    def __init__(self, ctx, size: tuple[int, int]) -> None:
+    `size` is that of the finished picture, `drawn` that of everything before it.
+    """
+
+    def __init__(self, ctx, size: tuple[int, int], drawn: tuple[int, int]) -> None:
         self.ctx = ctx
         self.size = size
+        self.drawn = drawn
         self.textures: dict = {}
         for name, (components, dtype) in GBUFFER.items():
             self._add(name, components, dtype)
@@ -44,8 +49,12 @@ class Targets:
         self._add("picture", 4, "f4")
         self._add("total", 4, "f4")
         self._add("shown", 4, "f1")
-        self._add("display", 4, "f1")
-        self.depth = ctx.depth_texture(size)
+        if drawn != size:
+            self._add("smoothed", 4, "f1")
+            for name in ("shown", "smoothed"):
+                self.textures[name].filter = ctx.LINEAR, ctx.LINEAR
+        self.textures["display"] = self._texture(size, 4, "f1")
+        self.depth = ctx.depth_texture(drawn)
         self.gbuffer = self._framebuffer(*GBUFFER, depth=True)
         self.land = [self._framebuffer(name) for name in UNDER]
         self.under = [self._framebuffer(name.replace("g_", "under_")) for name in UNDER]
@@ -53,13 +62,17 @@ class Targets:
         self.picture = self._framebuffer("picture")
         self.total = self._framebuffer("total")
         self.shown = self._framebuffer("shown")
+        self.smoothed = self._framebuffer("smoothed") if drawn != size else None
         self.display = self._framebuffer("display")
 
     def _add(self, name: str, components: int, dtype: str) -> None:
-        texture = self.ctx.texture(self.size, components, dtype=dtype)
+        self.textures[name] = self._texture(self.drawn, components, dtype)
+
+    def _texture(self, size: tuple[int, int], components: int, dtype: str):
+        texture = self.ctx.texture(size, components, dtype=dtype)
         texture.filter = self.ctx.NEAREST, self.ctx.NEAREST
         texture.repeat_x = texture.repeat_y = False
-        self.textures[name] = texture
+        return texture
 
     def _framebuffer(self, *names: str, depth: bool = False):
         return self.ctx.framebuffer([self.textures[name] for name in names], self.depth if depth else None)
@@ -72,15 +85,7 @@ class Targets:
     def release(self) -> None:
         # Making a framebuffer binds again what was bound before: that must not be one that is gone.
         self.ctx.detect_framebuffer(0).use()
-        framebuffers = (
-            self.gbuffer,
-            self.hdr,
-            self.picture,
-            self.total,
-            self.shown,
-            self.display,
-            *self.land,
-            *self.under,
-        )
-        for thing in (*framebuffers, *self.textures.values(), self.depth):
-            thing.release()
+        framebuffers = (self.gbuffer, self.hdr, self.picture, self.total, self.shown, self.display)
+        for thing in (*framebuffers, *self.land, *self.under, self.smoothed, *self.textures.values(), self.depth):
+            if thing is not None:
+                thing.release()

@@ -7,5 +7,5 @@ from ..frame import Frame
 
 def draw(frame: Frame) -> None:
     if frame.smoothed:
-        frame.targets.display.use()
+        (frame.targets.smoothed if frame.scaled else frame.targets.display).use()
         frame.shader("antialias.glsl").fullscreen()

@@ -13,6 +13,9 @@ def draw(frame: Frame) -> None:
     if overlays == Overlays():
         return
     frame.targets.display.use()
+    width, height = frame.full_size
+    frame.uniforms["u_size"] = float(width), float(height)
+    frame.uniforms["u_pixel_angle"] *= frame.size[1] / height
     ctx.enable(ctx.BLEND)
     ctx.blend_func = ctx.SRC_ALPHA, ctx.ONE_MINUS_SRC_ALPHA
     if overlays.ring or overlays.walkable or overlays.outline or overlays.centre:

@@ -1,0 +1,247 @@
+"""What passes cost in yardsticks, triangles of a large level, bytes that a dab sends, how soon a stroke is seen."""
+
+from __future__ import annotations
+
+import sys
+import time
+from importlib import import_module
+from pathlib import Path
+
+import numpy as np
+
+SIZE = (640, 360)
+ROUNDS = 5
+SIDE = 4097
+MOST_TRIANGLES = 150_000
+COVE = Path(__file__).parents[2] / "sample_levels" / "cove.shore"
+YARDSTICK = Path(__file__).with_name("yardstick.glsl")
+NAMES = (
+    "passes in yardsticks",
+    "frame: low",
+    "frame: medium",
+    "frame: low / medium",
+    "triangles of a 4097² level / 150 000",
+    "bytes a dab sends / bytes of its rectangle",
+    "bytes a dab sends of the shore map / bytes of its rectangle",
+    "bytes a fast slanting stroke sends / bytes it touched",
+    "start: first picture from a cache / without",
+    "liveness: stroke to finished picture / picture without a change",
+    "liveness: stroke's end to finished picture / picture without a change",
+)
+
+
+def best(ctx, action, rounds: int = ROUNDS) -> float:
+    """Seconds of the fastest of some runs after a warm-up, each to the end of what the GPU does."""
+    took = []
+    for _ in range(rounds + 1):
+        ctx.finish()
+        start = time.perf_counter()
+        action()
+        ctx.finish()
+        took.append(time.perf_counter() - start)
+    return min(took[1:])
+
+
+class Yardstick:
+    """design.md: full-screen triangle, RGBA8 1024² noise, LINEAR, no mipmaps, REPEAT, sixteen fetches a pixel."""
+
+    def __init__(self, ctx, size: tuple[int, int]) -> None:
+        self.ctx = ctx
+        head, text = "#version 410 core\n#define {}\n", YARDSTICK.read_text()
+        self.program = ctx.program(head.format("VERTEX") + text, head.format("FRAGMENT") + text)
+        noise = np.random.default_rng(1).integers(0, 256, (1024, 1024, 4), np.uint8)
+        self.noise = ctx.texture((1024, 1024), 4, noise.tobytes())
+        self.noise.filter = ctx.LINEAR, ctx.LINEAR
+        self.target = ctx.framebuffer([ctx.texture(size, 4)])
+        self.triangle = ctx.vertex_array(self.program, [])
+
+    def seconds(self) -> float:
+        self.target.use()
+        self.noise.use(0)
+        return best(self.ctx, lambda: self.triangle.render(vertices=3))
+
+
+def pass_seconds(renderer, level, camera, quality: str) -> dict[str, float]:
+    """Seconds of each pass of a picture, the best of some rounds; the passes before it are drawn for every round."""
+    from shorewright.renderer.frame import PASSES
+    from shorewright.renderer.quality import tier
+    from shorewright.renderer.views import find_view
+
+    took = {row.name: [] for row in PASSES}
+    for _ in range(ROUNDS + 1):
+        scale = tier(quality).scale
+        frame = renderer.prepare(level, camera, SIZE, 12.0, find_view("final"), None, quality, None, scale=scale)
+        if "shadow" in renderer.kept:
+            renderer.kept.pop("shadow").release()  # else it would have nothing to do
+        renderer.ctx.disable(renderer.ctx.DEPTH_TEST | renderer.ctx.BLEND)
+        for row in PASSES:
+            module = import_module(f"shorewright.renderer.passes.{row.name}")
+            renderer.ctx.finish()
+            start = time.perf_counter()
+            module.draw(frame)
+            renderer.ctx.finish()
+            took[row.name].append(time.perf_counter() - start)
+    return {name: min(times[1:]) for name, times in took.items()}
+
+
+def passes(renderer) -> list[dict]:
+    from shorewright.io import read_level
+
+    level = read_level(COVE)
+    unit, rows, whole = Yardstick(renderer.ctx, SIZE).seconds(), [], {}
+    for quality in ("low", "medium"):
+        for place in ("play", "survey"):
+            camera = level.camera(place)
+            parts = pass_seconds(renderer, level, camera, quality)
+            told = ", ".join(f"{name} {s / unit:.2f}" for name, s in sorted(parts.items(), key=lambda row: -row[1]))
+            seconds = best(renderer.ctx, lambda c=camera, q=quality: renderer.draw(level, c, SIZE, 12.0, quality=q), 3)
+            whole[quality, place] = seconds
+            note = f"Y at 640 × 360, Y = {unit * 1e3:.1f} ms; alone, the shadow worked out: {told}"
+            rows.append({"name": f"frame: {quality}, {place}", "ratio": seconds / unit, "limit": None, "note": note})
+    ratio = max(whole["low", place] / whole["medium", place] for place in ("play", "survey"))
+    note = "; ".join(f"{q} {p} {s * 1e3:.0f} ms" for (q, p), s in whole.items())
+    rows.append({"name": NAMES[3], "ratio": ratio, "limit": 0.5, "note": note})
+    return rows
+
+
+def large_level():
+    from shorewright.level import Grid, Level
+    from shorewright.level.framing import cameras
+
+    y, x = np.mgrid[0:SIDE, 0:SIDE].astype(np.float32)
+    level = Level(Grid(SIDE, SIDE), (np.sin(x / 190) * 8 + np.cos(y / 140) * 6).astype(np.float32))
+    for camera in cameras(level):
+        level.put_object(camera.id, camera)
+    return level
+
+
+def triangles(renderer, level) -> list[dict]:
+    told = {}
+    for name in ("play", "beach", "survey"):
+        renderer.draw(level, level.camera(name), (160, 90), quality="medium")
+        told[name] = renderer.stats["terrain_triangles"]
+    note = ", ".join(f"{name} {count}" for name, count in told.items()) + ", medium"
+    return [{"name": NAMES[4], "ratio": max(told.values()) / MOST_TRIANGLES, "limit": 1.0, "note": note}]
+
+
+def stroke(level, journal, radius: float):
+    from shorewright.brushes import BRUSHES, Stroke
+
+    brush = BRUSHES["raise"]
+    return Stroke(level, journal, brush, brush.with_params({"size_m": radius, "strength": 0.3}))
+
+
+def uploads(renderer, level) -> list[dict]:
+    """Bytes of one dab's rectangle of height, of the shore map with it, and of a quick stroke across the level."""
+    from shorewright.level import Journal
+
+    uploader, journal, camera = renderer.uploader, Journal(level), level.camera("play")
+    renderer.draw(level, camera, (32, 18))
+    held = stroke(level, journal, 64.0)
+    before, was = level.revision, dict(uploader.sent)
+    rect = held.begin(1500.0, 1500.0)
+    renderer.draw(level, camera, (32, 18))
+    sent = {name: count - was.get(name, 0) for name, count in uploader.sent.items()}
+    note = f"{rect.shape[1]} × {rect.shape[0]} cells at 4097²; " + ", ".join(f"{n} {b}" for n, b in sent.items() if b)
+    rows = [
+        {"name": NAMES[5], "ratio": sent["u_height"] / (rect.cells * 4), "limit": 1.5, "note": note},
+        {"name": NAMES[6], "ratio": sent["u_bed"] / (rect.cells * 4), "limit": None,
+         "note": "four floats for every fourth sample each way, and what the window round the dab changed"},
+    ]  # fmt: skip
+    held.end()
+    renderer.draw(level, camera, (32, 18))
+    was, before = uploader.sent["u_height"], level.height.copy()
+    held = stroke(level, journal, 128.0)
+    held.begin(800.0, 800.0)
+    held.move(2600.0, 2600.0)
+    renderer.draw(level, camera, (32, 18))
+    touched = int((before != level.height).sum()) * 4
+    ratio = (uploader.sent["u_height"] - was) / touched
+    note = f"200 dabs of radius 128 between two pictures, {touched / 1e6:.1f} MB of samples changed"
+    rows.append({"name": NAMES[7], "ratio": ratio, "limit": 2.5, "note": note})
+    held.end()
+    return rows
+
+
+def start(ctx) -> list[dict]:
+    """A renderer with what it keeps between starts and without; both in a process that has everything imported."""
+    import os
+    import tempfile
+
+    from shorewright.level import textures
+    from shorewright.renderer import Renderer, sky_table
+    from shorewright.renderer.cache import VARIABLE
+
+    made = [textures.noise_texture, textures.foam_texture, textures.ripple_texture, textures.ground_texture]
+    made += [sky_table.sky_table, sky_table._multiple_table, sky_table._transmittance_table]
+    before, took = os.environ.get(VARIABLE), []
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ[VARIABLE] = folder
+        for _ in range(3):
+            for function in made:
+                function.cache_clear()
+            begun = time.perf_counter()
+            renderer = Renderer(ctx)
+            sky_table.sky_harmonics(40.0, 2.5)
+            ctx.finish()
+            took.append(time.perf_counter() - begun)
+            renderer.release()
+    os.environ.pop(VARIABLE) if before is None else os.environ.update({VARIABLE: before})
+    note = f"{took[-1]:.2f} s against {took[0]:.2f} s to make them"
+    return [{"name": NAMES[8], "ratio": took[-1] / took[0], "limit": 0.5, "note": note}]
+
+
+def liveness(renderer) -> list[dict]:
+    """T14 in small: pointer to picture, low and at a governor's size, against the same picture without a change."""
+    from shorewright.app.session import Session
+    from shorewright.io import read_level
+    from shorewright.renderer import pick
+
+    session, ctx = Session(read_level(COVE)), renderer.ctx
+    level, camera = session.level, session.level.camera("play")
+    x, y, _ = pick(level, camera, (320, 180), 160, 110)
+
+    def draw():
+        renderer.draw(level, camera, (320, 180), 5.0, quality="low", scale=1.0)
+        ctx.finish()
+
+    still = best(ctx, draw)
+    moves = []
+    session.stroke_begin(x, y)
+    draw()
+    for step in range(12):
+        begun = time.perf_counter()
+        session.stroke_move(x + 2.0 * (step + 1), y + 0.7 * step)
+        draw()
+        moves.append(time.perf_counter() - begun)
+    begun = time.perf_counter()
+    session.stroke_end()
+    draw()
+    end = time.perf_counter() - begun
+    session.close()
+    live = float(np.median(moves))
+    note = f"{live * 1e3:.0f} ms (longest {max(moves) * 1e3:.0f}) against {still * 1e3:.0f} ms, low, 320 × 180"
+    return [
+        {"name": NAMES[9], "ratio": live / still, "limit": 2.0, "note": note},
+        {"name": NAMES[10], "ratio": end / still, "limit": None, "note": f"{end * 1e3:.0f} ms: the shore map anew"},
+    ]
+
+
+def run() -> list[dict]:
+    """Rows {name, ratio, limit, note}."""
+    from shorewright.renderer import Renderer
+    from shorewright.renderer.offscreen import own_context
+
+    ctx = own_context()
+    renderer = Renderer(ctx)
+    try:
+        rows = passes(renderer) + liveness(renderer)
+        level = large_level()
+        return rows + triangles(renderer, level) + uploads(renderer, level) + start(ctx)
+    finally:
+        renderer.release()
+
+
+if __name__ == "__main__":
+    for row in run():
+        print(f"{row['name']}: {row['ratio']:.2f} (limit {row['limit']}): {row['note']}", file=sys.stdout)
