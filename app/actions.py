@@ -32,10 +32,6 @@ class Action:
     repeats: bool = False  # holding the key goes on
 
 
-def _water(session: Session) -> None:
-    session.show = session.show.toggled("water")
-
-
 def _show(flag: str) -> Callable[[Session], None]:
     """T11: one key switches one part of the picture."""
 
@@ -82,7 +78,7 @@ def _rows() -> list[Action]:
         Action("pause", "Pause or run", ("Space",), "Time", Session.toggle_pause),
         Action("step", "One step on", (".",), "Time", lambda s: s.step_time(1), repeats=True),
         Action("step_back", "One step back", (",",), "Time", lambda s: s.step_time(-1), repeats=True),
-        Action("water", "Water", ("Shift+W",), "View", _water),
+        Action("water", "Water", ("Shift+W",), "View", _show("water")),
         Action("walkable", "Walkable ground", ("N",), "View", lambda s: s.ask("walkable")),
         Action("outline", "Border of the level", (), "View", lambda s: s.ask("outline")),
         Action("centre", "Centre of the picture", (), "View", lambda s: s.ask("centre")),
@@ -92,16 +88,13 @@ def _rows() -> list[Action]:
         Action("palette", "Find a command…", ("Ctrl+P",), "Edit", lambda s: s.ask("palette")),
         Action("frame", "Frame what is pointed at", ("F",), "View", Session.frame),
         Action("frame_all", "Frame the whole level", ("Shift+F",), "View", _frame_all),
-        Action(
-            "smaller", "Smaller brush", ("[",), "Brush", lambda s: s.scale_param("size_m", 1 / SIZE_STEP), repeats=True
-        ),
+        Action("smaller", "Smaller brush", ("[",), "Brush", _scale("size_m", 1 / SIZE_STEP), repeats=True),
         Action("larger", "Larger brush", ("]",), "Brush", _scale("size_m", SIZE_STEP), repeats=True),
         Action("weaker", "Weaker brush", ("{",), "Brush", _scale("strength", 1 / STRENGTH_STEP), repeats=True),
         Action("stronger", "Stronger brush", ("}",), "Brush", _scale("strength", STRENGTH_STEP), repeats=True),
         *(
-            Action(f"brush.{brush.name}", brush.label, (str(n),), "Brush", _brush(brush.name))
-            for n, brush in enumerate(BRUSHES.values(), 1)
-            if n <= 9
+            Action(f"brush.{brush.name}", brush.label, (brush.key,) if brush.key else (), "Brush", _brush(brush.name))
+            for brush in BRUSHES.values()
         ),
     ]
 

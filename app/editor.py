@@ -149,6 +149,10 @@ class Editor:
         self._glide = None
         self.session.camera = camera
 
+    def choose_quality(self, quality: str) -> None:
+        """Draw in another tier, now and next time."""
+        self.quality = self.preferences.quality = quality
+
     @property
     def gliding(self) -> bool:
         return self._glide is not None

@@ -75,7 +75,7 @@ def _view(editor: Editor) -> None:
     if imgui.begin_menu("Quality"):
         for quality in QUALITIES:
             if imgui.menu_item_simple(quality.capitalize(), selected=editor.quality == quality):
-                editor.quality = editor.preferences.quality = quality
+                editor.choose_quality(quality)
         imgui.end_menu()
     docking = hello_imgui.get_runner_params().docking_params
     if imgui.begin_menu("Panels"):
@@ -99,7 +99,7 @@ def help_rows() -> None:
                 imgui.table_next_row(imgui.TableRowFlags_.none, 10)
             imgui.table_next_row()
             imgui.table_next_column()
-            imgui.text_colored(theme.colour((0.42, 0.86, 0.84)), left)
+            imgui.text_colored(theme.colour(theme.ACCENT_BRIGHT), left)
             imgui.table_next_column()
             imgui.text_unformatted(right)
         imgui.end_table()

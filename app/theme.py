@@ -24,6 +24,8 @@ FIELD_HOVER = (0.255, 0.278, 0.300)
 LINE = (0.085, 0.092, 0.100)
 ACCENT = (0.24, 0.66, 0.66)
 ACCENT_DEEP = (0.15, 0.42, 0.44)
+ACCENT_BRIGHT = (0.42, 0.86, 0.84)
+SHADE = (0.03, 0.04, 0.05)  # behind text on the picture
 WARM = (0.95, 0.68, 0.36)  # what is changed, inverted or asks for a look
 RED = (0.93, 0.43, 0.38)
 BLUE = (0.45, 0.68, 0.95)
@@ -84,7 +86,7 @@ COLOURS: dict[str, imgui.ImVec4] = {
     "scrollbar_grab": colour(FIELD_HOVER),
     "scrollbar_grab_hovered": colour((0.34, 0.37, 0.40)),
     "scrollbar_grab_active": colour(ACCENT),
-    "check_mark": colour((0.42, 0.86, 0.84)),
+    "check_mark": colour(ACCENT_BRIGHT),
     "slider_grab": colour(ACCENT),
     "slider_grab_active": colour((0.36, 0.82, 0.80)),
     "button": colour(FIELD),

@@ -7,6 +7,7 @@ from imgui_bundle import imgui
 from ..renderer import SHOW_FLAGS, VIEWS
 from . import theme
 from .editor import QUALITIES, Editor
+from .panels import views_panel
 from .param_widgets import tooltip
 from .picture import Picture
 from .viewport_overlay import Overlay, stroke_text
@@ -74,8 +75,8 @@ class Viewport:
     def _bar(self, origin) -> None:
         """View chooser, show flags, overlays, cameras: small buttons that don't take the picture's place."""
         imgui.set_cursor_screen_pos(imgui.ImVec2(origin.x + 10, origin.y + 10))
-        imgui.push_style_color(imgui.Col_.button, theme.colour((0.05, 0.06, 0.07), 0.66))
-        imgui.push_style_color(imgui.Col_.frame_bg, theme.colour((0.05, 0.06, 0.07), 0.66))
+        imgui.push_style_color(imgui.Col_.button, theme.colour(theme.SHADE, 0.66))
+        imgui.push_style_color(imgui.Col_.frame_bg, theme.colour(theme.SHADE, 0.66))
         self._views()
         imgui.same_line()
         self._flags()
@@ -106,11 +107,8 @@ class Viewport:
             imgui.open_popup("show_popup")
         tooltip("Switch parts of the picture off; the level stays as it is.")
         if imgui.begin_popup("show_popup"):
-            for flag in SHOW_FLAGS.values():
-                changed, _ = imgui.checkbox(f"{flag.label}###flag_{flag.name}", flag.name in session.show)
-                tooltip(flag.doc)
-                if changed:
-                    session.show = session.show.toggled(flag.name)
+            for name in SHOW_FLAGS:
+                views_panel.flag_box(self.editor, name)
             imgui.separator()
             for name, label in (("outline", "Border of the level"), ("centre", "Centre of the screen")):
                 changed, on = imgui.checkbox(label, getattr(self.editor, name))
@@ -119,7 +117,7 @@ class Viewport:
             imgui.separator_text("Quality")
             for quality in QUALITIES:
                 if imgui.radio_button(quality.capitalize(), self.editor.quality == quality):
-                    self.editor.quality = quality
+                    self.editor.choose_quality(quality)
                 imgui.same_line()
             imgui.new_line()
             imgui.end_popup()
@@ -129,9 +127,7 @@ class Viewport:
             imgui.open_popup("camera_popup")
         tooltip("Go to a saved camera, or save this view as one.")
         if imgui.begin_popup("camera_popup"):
-            from .panels.views_panel import cameras
-
-            cameras(self.editor)
+            views_panel.cameras(self.editor)
             imgui.end_popup()
 
     def _toggle(self, glyph: str, name: str, doc: str) -> None:

@@ -12,7 +12,6 @@ from .editor import Editor
 from .probe import Probe, speed
 
 HIDDEN_ALPHA = 0.22
-SHADE = (0.03, 0.04, 0.05)
 
 
 class Overlay:
@@ -28,7 +27,7 @@ class Overlay:
         """World points (n, 3) as a line with a dark rim, faint where land hides it."""
         session = self.editor.session
         shown = on_screen(session.level, session.camera, self.size, points)
-        self._pieces(shown, SHADE, alpha * 0.5, width + 2)
+        self._pieces(shown, theme.SHADE, alpha * 0.5, width + 2)
         self._pieces(shown, ink, alpha, width)
 
     def _pieces(self, line: ScreenLine, ink: tuple, alpha: float, width: float) -> None:
@@ -88,7 +87,7 @@ class Overlay:
 
     def plate(self, corner, size, alpha: float = 0.75) -> None:
         low, high = imgui.ImVec2(*corner), imgui.ImVec2(corner[0] + size[0], corner[1] + size[1])
-        self.draw_list.add_rect_filled(low, high, theme.packed(SHADE, alpha), 5)
+        self.draw_list.add_rect_filled(low, high, theme.packed(theme.SHADE, alpha), 5)
 
     # Telling
 

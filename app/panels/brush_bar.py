@@ -1,4 +1,4 @@
-"""The brushes: a bar of buttons in table order (keys 1 … 9), and the parameters of the one in hand."""
+"""The brushes: a bar of buttons in table order with their keys, and the parameters of the one in hand."""
 
 from __future__ import annotations
 
@@ -26,10 +26,10 @@ def draw(editor: Editor) -> None:
     for number, name in enumerate(BRUSHES):
         if number % columns:
             imgui.same_line(0, 4)
-        _tile(editor, name, number + 1)
+        _tile(editor, name)
 
 
-def _tile(editor: Editor, name: str, number: int) -> None:
+def _tile(editor: Editor, name: str) -> None:
     session, brush = editor.session, BRUSHES[name]
     chosen = session.brush == name
     corner = imgui.get_cursor_screen_pos()
@@ -40,15 +40,14 @@ def _tile(editor: Editor, name: str, number: int) -> None:
         editor.attempt(session.pick_brush, name)
     if chosen:
         imgui.pop_style_color()
-    key = f"   key {number}" if number <= 9 else ""
+    key = f"   key {brush.key}" if brush.key else ""
     param_widgets.tooltip(f"{brush.label}{key}\n{brush.doc}\nShift smooths with any brush.")
     _profile(name, corner, width, theme.INK if chosen else theme.INK_FAINT)
     draw_list = imgui.get_window_draw_list()
     size = imgui.calc_text_size(brush.label)
     under = imgui.ImVec2(corner.x + (width - size.x) / 2, corner.y + TILE_PX - size.y - 4)
     draw_list.add_text(under, theme.packed(theme.INK if chosen else theme.INK_FAINT), brush.label)
-    if number <= 9:
-        draw_list.add_text(imgui.ImVec2(corner.x + 5, corner.y + 3), theme.packed(theme.INK, 0.35), str(number))
+    draw_list.add_text(imgui.ImVec2(corner.x + 5, corner.y + 3), theme.packed(theme.INK, 0.35), brush.key)
 
 
 def _profile(name: str, corner, width: float, ink: tuple) -> None:

@@ -60,7 +60,7 @@ def _row(editor: Editor, name: str, held: Memory) -> None:
     imgui.table_next_row()
     imgui.table_next_column()
     ink = theme.INK_FAINT if data.neutral else theme.INK
-    imgui.push_style_color(imgui.Col_.text, theme.colour((0.42, 0.86, 0.84) if seen else ink))
+    imgui.push_style_color(imgui.Col_.text, theme.colour(theme.ACCENT_BRIGHT if seen else ink))
     eye = f"{theme.icon('eye')}  " if seen else ""
     if imgui.selectable(f"{eye}{row.label}###{view}", seen)[0]:
         session.view = "final" if seen else view

@@ -35,15 +35,20 @@ def draw(editor: Editor) -> None:
 
 
 def _flags(editor: Editor) -> None:
-    session = editor.session
     if imgui.begin_table("###flags", 2):
-        for flag in SHOW_FLAGS.values():
+        for name in SHOW_FLAGS:
             imgui.table_next_column()
-            changed, _ = imgui.checkbox(f"{flag.label}###{flag.name}", flag.name in session.show)
-            tooltip(flag.doc)
-            if changed:
-                session.show = session.show.toggled(flag.name)
+            flag_box(editor, name)
         imgui.end_table()
+
+
+def flag_box(editor: Editor, name: str) -> None:
+    """The switch of a part of the picture."""
+    session, flag = editor.session, SHOW_FLAGS[name]
+    changed, _ = imgui.checkbox(f"{flag.label}###flag_{name}", name in session.show)
+    tooltip(flag.doc)
+    if changed:
+        session.show = session.show.toggled(name)
 
 
 def cameras(editor: Editor) -> None:
