@@ -92,9 +92,8 @@ class Edits(Hand):
             self.journal.whole(step)
             moved = crop(self.level, rect)
             for name, thing in list(self.level.objects.items()):
-                there = thing.model_copy(update={"x": thing.x - moved[0], "y": thing.y - moved[1]})
                 step.atoms.append(Thing(name, thing))
-                self.level.put_object(name, there)
+                self.level.put_object(name, thing.moved(-moved[0], -moved[1]))
 
     def import_height(self, path: Path | str, **flags) -> list[str]:
         """Put another ground under what was sculpted, which stays where the grid is the same; returns what to tell."""

@@ -77,8 +77,8 @@ def _forward(yaw_deg: float) -> np.ndarray:
     return np.array([math.sin(math.radians(yaw_deg)), math.cos(math.radians(yaw_deg))])
 
 
-def ground_at(level: Level, x: float, y: float) -> float:
-    """Ground or still water, whichever is higher, at a point; the nearest edge outside the level. Metres."""
+def stand_at(level: Level, x: float, y: float) -> float:
+    """What one stands on at a point: ground or still water, whichever is higher; outside, the nearest edge. Metres."""
     row, col = level.grid.to_cells(y_m=y, x_m=x)
     row, col = (min(max(round(v), 0), n - 1) for v, n in zip((row, col), level.grid.shape))
     return max(float(level.height[row, col]), level.sea_level_m)
@@ -90,7 +90,7 @@ def looking_at(
     """A camera `away_m` metres from a world point (x, y, z) that has it in the middle, never under the ground."""
     pitch = math.radians(pitch_deg)
     x, y = np.array(target[:2]) - _forward(yaw_deg) * away_m * math.cos(pitch)
-    z = max(target[2] - away_m * math.sin(pitch), ground_at(level, x, y) + EYE_M)
+    z = max(target[2] - away_m * math.sin(pitch), stand_at(level, x, y) + EYE_M)
     yaw_deg = round(yaw_deg % 360, 2) % 360
     place = {key: round(float(value), 3) for key, value in zip("xyz", (x, y, z))}
     return Camera(id=name, **place, yaw_deg=yaw_deg, pitch_deg=round(pitch_deg, 2), fov_deg=fov_deg)
@@ -101,7 +101,7 @@ def frame(level: Level, camera: Camera, target=None) -> Camera:
     east, north = level.grid.extent_m
     if target is None:
         middle = (east / 2, north / 2)
-        target, wide = (*middle, ground_at(level, *middle)), max(east, north)
+        target, wide = (*middle, stand_at(level, *middle)), max(east, north)
     else:
         wide = min(max(min(east, north) * 0.12, 12.0), 60.0)
     away = wide / (2 * math.tan(math.radians(camera.fov_deg) / 2))
@@ -127,7 +127,7 @@ def _beach(level: Level, shore: Shore) -> Camera:
     reach = level.settings.shore.range_m * level.settings.shore.runup
     stand = min(max(reach / GOOD_SLOPE * 0.5, 2.0), 12.0)
     x, y = np.array([shore.x, shore.y]) - _forward(shore.seaward_deg) * stand
-    eye = (x, y, ground_at(level, x, y) + EYE_M)
+    eye = (x, y, stand_at(level, x, y) + EYE_M)
     return looking_at(level, "beach", eye, yaw, -5.0, 0.0, 50.0)
 
 
@@ -137,7 +137,7 @@ def _rise_deg(level: Level, shore: Shore, heading_deg: float) -> float:
     x, y = shore.x + away * _forward(heading_deg)[0], shore.y + away * _forward(heading_deg)[1]
     east, north = level.grid.extent_m
     inside = (x >= 0) & (x <= east) & (y >= 0) & (y <= north)
-    rise = [(ground_at(level, px, py) - level.sea_level_m) / d for px, py, d in zip(x[inside], y[inside], away[inside])]
+    rise = [(stand_at(level, px, py) - level.sea_level_m) / d for px, py, d in zip(x[inside], y[inside], away[inside])]
     return math.degrees(math.atan(max(rise, default=0.0)))
 
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .grid import Grid, Rect
+from .grid import TILE, Grid, Rect
 
 WEATHER_GRID = Grid(512, 512, 70_000 / 512)  # wraps; its own origin
 
@@ -120,8 +120,7 @@ class LayerData:
     @property
     def bytes(self) -> int:
         """Bytes of the tiles that count."""
-        tiles = int(self.written.sum())
-        return tiles * 128 * 128 * 4 * len(self.row.channels)
+        return int(self.written.sum()) * TILE * TILE * 4 * len(self.row.channels)
 
 
 class HeightData(LayerData):

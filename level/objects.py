@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Literal, Self, Union
 
 from pydantic import Field, TypeAdapter
 
@@ -15,6 +15,10 @@ class Placed(Section):
     id: str = Field(pattern=r"^[A-Za-z0-9_.-]{1,64}$", description="Name, unique in the level.")
     x: float = param(0.0, -1e6, 1e6, "m", "East.")
     y: float = param(0.0, -1e6, 1e6, "m", "North.")
+
+    def moved(self, east_m: float, north_m: float) -> Self:
+        """The same thing elsewhere, as a crop needs when the origin of its level moves."""
+        return self.model_copy(update={"x": self.x + east_m, "y": self.y + north_m})
 
 
 class Camera(Placed):
@@ -40,6 +44,6 @@ class Disturbance(Placed):
     strength: float = param(1.0, -20, 20, "m/s", "Speed it gives the water.")
 
 
-Object = Annotated[Camera | SeaSeed | Disturbance, Field(discriminator="kind")]
+OBJECT_KINDS = {row.model_fields["kind"].default: row for row in (Camera, SeaSeed, Disturbance)}
+Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]
 OBJECT = TypeAdapter(Object)
-OBJECT_KINDS = {"camera": Camera, "sea_seed": SeaSeed, "disturbance": Disturbance}
