@@ -4,43 +4,29 @@ import json
 
 import numpy as np
 import pytest
+from exports import MANIFEST, one, slope_level
 from shorewright import io
 from shorewright.io import write_level
 from shorewright.io.export import EXPORTERS, check, export
 from shorewright.io.images import write_image
-from shorewright.level import BadInput, Grid, Level, Rect
-
-MANIFEST = "bay.shorewright.json"
-
-
-def make_level(rows=30, cols=41):
-    north, east = np.mgrid[0:rows, 0:cols]
-    noise = np.random.default_rng(8).normal(0, 0.4, (rows, cols))
-    return Level(Grid(rows, cols, 1.0), (-6 + 0.3 * north + 0.1 * east + noise).astype(np.float32))
+from shorewright.level import BadInput, Rect
 
 
 @pytest.fixture
 def unreal(tmp_path):
-    export(make_level(), "unreal", tmp_path / "out", name="bay")
+    export(slope_level(), "unreal", tmp_path / "out", name="bay")
     return tmp_path / "out"
 
 
 @pytest.fixture
 def raw(tmp_path):
-    export(make_level(), "raw", tmp_path / "out", name="bay")
+    export(slope_level(), "raw", tmp_path / "out", name="bay")
     return tmp_path / "out"
-
-
-def one(findings, word):
-    """The only finding, which names `word`."""
-    assert len(findings) == 1, findings
-    assert word in findings[0]
-    assert "\n" not in findings[0]
 
 
 @pytest.mark.parametrize("target", EXPORTERS)
 def test_untouched_export_is_fine(tmp_path, target):
-    level = make_level()
+    level = slope_level()
     level.write("cover", Rect(0, 0, 9, 9), 0.5)
     *_, manifest = export(level, target, tmp_path / "out", name="bay")
     assert check(tmp_path / "out") == []
@@ -146,7 +132,7 @@ def test_edited_manifest_is_found(unreal, field):
 def test_level_folders_are_checked(tmp_path):
     """A saved level is fine; a damaged, missing or exchanged sector is a finding, a broken description too."""
     folder = tmp_path / "cove.shore"
-    level = make_level()
+    level = slope_level()
     level.write("foam", Rect(0, 0, 9, 9), 0.5)
     write_level(level, folder)
     assert check(folder) == check(folder / "level.json") == io.check(folder) == []

@@ -5,28 +5,21 @@ import json
 
 import numpy as np
 import pytest
+from exports import MANIFEST, one, slope_level
 from shorewright.io.export import check, export, meshes
 from shorewright.io.images import write_image
-from shorewright.level import Grid, Level, Rect
-
-MANIFEST = "bay.shorewright.json"
-
-
-def make_level(rows=30, cols=41):
-    north, east = np.mgrid[0:rows, 0:cols]
-    noise = np.random.default_rng(8).normal(0, 0.4, (rows, cols))
-    return Level(Grid(rows, cols, 1.0), (-6 + 0.3 * north + 0.1 * east + noise).astype(np.float32))
+from shorewright.level import Rect
 
 
 @pytest.fixture
 def unreal(tmp_path):
-    export(make_level(), "unreal", tmp_path / "out", name="bay")
+    export(slope_level(), "unreal", tmp_path / "out", name="bay")
     return tmp_path / "out"
 
 
 @pytest.fixture
 def raw(tmp_path):
-    export(make_level(), "raw", tmp_path / "out", name="bay")
+    export(slope_level(), "raw", tmp_path / "out", name="bay")
     return tmp_path / "out"
 
 
@@ -44,13 +37,6 @@ def sign(folder, edit):
     text = json.dumps(data, sort_keys=True, separators=(",", ":"))
     data["manifest_sha256"] = hashlib.sha256(text.encode()).hexdigest()
     path.write_text(json.dumps(data), "utf-8")
-
-
-def one(findings, word):
-    """The only finding, which names `word`."""
-    assert len(findings) == 1, findings
-    assert word in findings[0]
-    assert "\n" not in findings[0]
 
 
 @pytest.mark.parametrize(
@@ -124,7 +110,7 @@ def test_wrong_words_are_found_though_every_hash_fits(unreal):
 
 
 def test_wrong_float_map_is_found(raw):
-    write_image(raw / "bay_height.exr", np.ascontiguousarray(make_level().height)[..., None])  # south first
+    write_image(raw / "bay_height.exr", np.ascontiguousarray(slope_level().height)[..., None])  # south first
     sign(raw, lambda data: None)
     assert any("bay_height.exr" in finding for finding in check(raw))
 
@@ -141,7 +127,7 @@ def test_single_wrong_word_is_found_against_the_float_map(raw):
 def test_wrong_mesh_is_found(raw, fault):
     import trimesh
 
-    mesh = meshes.terrain_mesh(make_level().height, 1.0)
+    mesh = meshes.terrain_mesh(slope_level().height, 1.0)
     if fault == "mirrored":
         mesh.positions[:, 2] *= -1
     if fault == "dented":
@@ -161,7 +147,7 @@ def test_wrong_mesh_is_found(raw, fault):
 
 
 def test_wrong_vti_is_found(raw):
-    level = make_level()
+    level = slope_level()
     level.write("height", Rect(0, 0, 2, 2), 3.0)
     meshes.write_vti(raw / "bay.vti", level)
     sign(raw, lambda data: None)

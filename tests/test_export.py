@@ -6,36 +6,18 @@ import sys
 
 import numpy as np
 import pytest
+from exports import read_manifest, rough_level, snapshot
 from shorewright.io import export as export_function
 from shorewright.io.export import EXPORTERS, check, export, file_stem
 from shorewright.level import BadInput, Grid, Level, Rect
 from shorewright.level.objects import Camera
-
-
-def make_level(rows, cols=None, cell_m=1.0, seed=1, low=-30.0, high=55.0, sea_m=0.0):
-    """A rough level whose lowest and highest samples are exactly `low` and `high`."""
-    noise = np.random.default_rng(seed).random((rows, cols or rows))
-    noise = (noise - noise.min()) / (noise.max() - noise.min())
-    level = Level(Grid(rows, cols or rows, cell_m), (low + noise * (high - low)).astype(np.float32))
-    level.set("level.sea_level_m", sea_m)
-    return level
-
-
-def read_manifest(folder):
-    (path,) = folder.glob("*.shorewright.json")
-    return json.loads(path.read_text("utf-8"))
-
-
-def snapshot(folder):
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
-
 
 # Manifest
 
 
 def test_manifest_answers_every_question(tmp_path):
     """Each field of the list in the research (authoring, section 4) is there and true."""
-    level = make_level(40, sea_m=1.5)
+    level = rough_level(40, sea_m=1.5)
     level.georeference = {"crs": "EPSG:32604"}
     level.set("level.seed", 99)
     export(level, "unreal", tmp_path / "out", name="cove.shore")
@@ -70,7 +52,7 @@ def test_manifest_answers_every_question(tmp_path):
 def test_export_is_deterministic(tmp_path, target):
     """The same level gives the same bytes wherever and whenever it is exported; no path, no date."""
     for folder in ("one", "two/deep"):
-        export(make_level(20, 30), target, tmp_path / folder, name="bay")
+        export(rough_level(20, 30), target, tmp_path / folder, name="bay")
     assert snapshot(tmp_path / "one") == snapshot(tmp_path / "two" / "deep")
     assert str(tmp_path) not in (tmp_path / "one" / "bay.shorewright.json").read_text("utf-8")
 
@@ -87,12 +69,12 @@ def test_source_hash_knows_every_change(tmp_path):
     }
     hashes = {}
     for name, change in changes.items():
-        level = make_level(20)
+        level = rough_level(20)
         change(level)
         hashes[name] = _source_hash(level, tmp_path / name)
-    hashes["cell"] = _source_hash(make_level(20, cell_m=2.0), tmp_path / "cell")
+    hashes["cell"] = _source_hash(rough_level(20, cell_m=2.0), tmp_path / "cell")
     assert len(set(hashes.values())) == len(hashes)
-    neutral = make_level(20)
+    neutral = rough_level(20)
     neutral.write("foam", Rect(0, 0, 2, 2), 0.0)
     assert _source_hash(neutral, tmp_path / "neutral") == hashes["as it was"]
 
@@ -105,7 +87,7 @@ def _source_hash(level, folder):
 def test_source_hash_survives_saving(tmp_path):
     from shorewright.io import read_level, write_level
 
-    level = make_level(150)
+    level = rough_level(150)
     level.write("height", Rect(3, 3, 40, 50), 5.0)
     level.write("cover", Rect(100, 100, 140, 140), 0.3)
     level.put_object("play", Camera(id="play"))
@@ -130,7 +112,7 @@ def test_source_hash_survives_saving(tmp_path):
 def test_file_names_are_safe_everywhere(tmp_path, name, stem):
     """`4033x4033` is a tile index to Unreal; separators and drive letters lead out of the folder."""
     assert file_stem(name) == stem
-    paths = export(make_level(4), "unreal", tmp_path / "out", name=name)
+    paths = export(rough_level(4), "unreal", tmp_path / "out", name=name)
     assert [path.name for path in paths] == [f"{stem}_height.r16", f"{stem}.shorewright.json"]
     assert all(path.parent == tmp_path / "out" and path.is_file() for path in paths)
     assert check(tmp_path / "out") == []
@@ -140,7 +122,7 @@ def test_file_names_are_safe_everywhere(tmp_path, name, stem):
 
 
 def test_unknown_target_and_map_are_refused_with_the_list(tmp_path):
-    level = make_level(4)
+    level = rough_level(4)
     with pytest.raises(BadInput, match=r"'unity'.*unreal, raw"):
         export(level, "unity", tmp_path / "out")
     with pytest.raises(BadInput, match=r"'foam'.*height, mesh, layers"):
@@ -154,7 +136,7 @@ def test_levels_that_cannot_be_exported_leave_nothing(tmp_path):
     large = Level(Grid(2, 8130), np.zeros((2, 8130), np.float32))
     with pytest.raises(BadInput, match="8130 samples along its longer side"):
         export(large, "unreal", tmp_path / "out")
-    holes = make_level(8)
+    holes = rough_level(8)
     holes.layers["height"].array[3, 3] = np.nan
     with pytest.raises(BadInput, match="no numbers"):
         export(holes, "raw", tmp_path / "out")

@@ -6,37 +6,19 @@ import os
 import shutil
 from pathlib import Path
 
-import numpy as np
 import pytest
+from exports import read_manifest, rough_level, snapshot
 from shorewright.io.export import check, export, unreal
-from shorewright.level import BadInput, Grid, Level
-
-
-def make_level(rows, cols=None, cell_m=1.0, seed=1, low=-30.0, high=55.0, sea_m=0.0):
-    """A rough level whose lowest and highest samples are exactly `low` and `high`."""
-    noise = np.random.default_rng(seed).random((rows, cols or rows))
-    noise = (noise - noise.min()) / (noise.max() - noise.min())
-    level = Level(Grid(rows, cols or rows, cell_m), (low + noise * (high - low)).astype(np.float32))
-    level.set("level.sea_level_m", sea_m)
-    return level
-
-
-def read_manifest(folder):
-    (path,) = folder.glob("*.shorewright.json")
-    return json.loads(path.read_text("utf-8"))
-
-
-def snapshot(folder):
-    return {path.name: path.read_bytes() for path in folder.iterdir()}
+from shorewright.level import BadInput
 
 
 def test_export_replaces_its_own_and_only_its_own(tmp_path):
     out = tmp_path / "out"
-    export(make_level(20), "unreal", out, name="bay")
+    export(rough_level(20), "unreal", out, name="bay")
     (out / ".DS_Store").write_bytes(b"finder")
     first = (out / "bay_height.r16").read_bytes()
     (out / "bay_height.r16").write_bytes(first[:-7])  # damaged since: exporting again repairs it
-    export(make_level(20, seed=2), "unreal", out, name="bay")
+    export(rough_level(20, seed=2), "unreal", out, name="bay")
     assert (out / "bay_height.r16").read_bytes() not in (first, first[:-7])
     assert check(out) == []
     assert [path.name for path in tmp_path.iterdir()] == ["out"]
@@ -47,20 +29,20 @@ def test_foreign_things_are_never_touched(tmp_path):
     out.mkdir()
     (out / "notes.txt").write_text("mine", "utf-8")
     with pytest.raises(BadInput, match=r"notes\.txt"):
-        export(make_level(8), "unreal", out)
+        export(rough_level(8), "unreal", out)
     assert snapshot(out) == {"notes.txt": b"mine"}
     (out / "notes.txt").unlink()
-    export(make_level(8), "unreal", out, name="bay")
+    export(rough_level(8), "unreal", out, name="bay")
     before = snapshot(out)
     for target, name in (("raw", "bay"), ("unreal", "cove")):
         with pytest.raises(BadInput, match="did not write"):
-            export(make_level(8), target, out, name=name)
+            export(rough_level(8), target, out, name=name)
     (out / "mine.psd").write_bytes(b"1")
     with pytest.raises(BadInput, match=r"mine\.psd"):
-        export(make_level(8), "unreal", out, name="bay")
+        export(rough_level(8), "unreal", out, name="bay")
     assert snapshot(out) == before | {"mine.psd": b"1"}
     with pytest.raises(BadInput, match="is a file"):
-        export(make_level(8), "unreal", out / "mine.psd")
+        export(rough_level(8), "unreal", out / "mine.psd")
 
 
 @pytest.mark.parametrize(
@@ -71,7 +53,7 @@ def test_broken_off_export_leaves_what_was_there(tmp_path, monkeypatch, fault, e
     """A full disk, Ctrl+C or a bug in mid-export: no new folder, or the old one byte for byte."""
     out = tmp_path / "out"
     if earlier:
-        export(make_level(20), "unreal", out, name="bay")
+        export(rough_level(20), "unreal", out, name="bay")
     before = snapshot(out) if earlier else None
 
     def fail(path, *_):
@@ -81,7 +63,7 @@ def test_broken_off_export_leaves_what_was_there(tmp_path, monkeypatch, fault, e
     monkeypatch.setattr(unreal.maps, "write_u16", fail)
     wanted = BadInput if isinstance(fault, OSError) else type(fault)
     with pytest.raises(wanted, match="No space left" if isinstance(fault, OSError) else None):
-        export(make_level(20, seed=2), "unreal", out, name="bay")
+        export(rough_level(20, seed=2), "unreal", out, name="bay")
     assert (snapshot(out) if out.exists() else None) == before
     assert [path.name for path in tmp_path.iterdir()] == (["out"] if earlier else [])
 
@@ -90,7 +72,7 @@ def test_broken_off_export_leaves_what_was_there(tmp_path, monkeypatch, fault, e
 def test_failed_move_puts_the_old_export_back(tmp_path, monkeypatch, failing):
     """Two files leave and two come; whichever of the four moves the disk refuses, the old export stands."""
     out, rename, moves = tmp_path / "out", Path.rename, []
-    export(make_level(20), "unreal", out, name="bay")
+    export(rough_level(20), "unreal", out, name="bay")
     before = snapshot(out)
 
     def refuse(self, target):
@@ -101,7 +83,7 @@ def test_failed_move_puts_the_old_export_back(tmp_path, monkeypatch, failing):
 
     monkeypatch.setattr(Path, "rename", refuse)
     with pytest.raises(BadInput, match="I/O error"):
-        export(make_level(20, seed=2), "unreal", out, name="bay")
+        export(rough_level(20, seed=2), "unreal", out, name="bay")
     assert snapshot(out) == before
 
 
@@ -109,7 +91,7 @@ def test_failed_move_puts_the_old_export_back(tmp_path, monkeypatch, failing):
 def test_killed_while_replacing_is_found_and_repaired(tmp_path, monkeypatch, killed_after):
     """What a killed program leaves is never taken for a whole export, and the next export puts it right."""
     out, rename, moves = tmp_path / "out", Path.rename, []
-    export(make_level(20), "unreal", out, name="bay")
+    export(rough_level(20), "unreal", out, name="bay")
 
     def until_killed(self, target):
         moves.append(target)
@@ -119,9 +101,9 @@ def test_killed_while_replacing_is_found_and_repaired(tmp_path, monkeypatch, kil
     with monkeypatch.context() as patch:  # the moves after the kill don't happen, and nobody tidies up
         patch.setattr(Path, "rename", until_killed)
         patch.setattr(shutil, "rmtree", lambda *_, **__: None)
-        export(make_level(20, seed=2), "unreal", out, name="bay")
+        export(rough_level(20, seed=2), "unreal", out, name="bay")
     assert (check(out) == []) == (killed_after in (0, 4))
-    export(make_level(20, seed=3), "unreal", out, name="bay")
+    export(rough_level(20, seed=3), "unreal", out, name="bay")
     assert check(out) == []
 
 
@@ -130,7 +112,7 @@ def test_working_directory_stays_the_same_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for seed in (1, 2):
         inode = tmp_path.stat().st_ino
-        export(make_level(8, seed=seed), "unreal", ".", name="bay")
+        export(rough_level(8, seed=seed), "unreal", ".", name="bay")
         assert tmp_path.stat().st_ino == inode
         assert sorted(os.listdir()) == ["bay.shorewright.json", "bay_height.r16"]
 
@@ -145,7 +127,7 @@ def test_folder_that_fills_up_meanwhile_is_not_replaced(tmp_path, monkeypatch):
 
     monkeypatch.setattr(unreal.maps, "write_u16", somebody_comes)
     with pytest.raises(BadInput, match=r"notes\.txt"):
-        export(make_level(8), "unreal", out)
+        export(rough_level(8), "unreal", out)
     assert snapshot(out) == {"notes.txt": b"mine"}
 
 
@@ -153,10 +135,10 @@ def test_manifest_cannot_claim_files_outside_its_folder(tmp_path):
     """Replacing an export deletes what its manifest lists, so a doctored list must not reach out."""
     out = tmp_path / "out"
     (tmp_path / "precious.txt").write_text("keep", "utf-8")
-    export(make_level(8), "unreal", out, name="bay")
+    export(rough_level(8), "unreal", out, name="bay")
     manifest = read_manifest(out)
     manifest["files"][0]["name"] = "../precious.txt"
     (out / "bay.shorewright.json").write_text(json.dumps(manifest), "utf-8")
     with pytest.raises(BadInput, match=r"bay_height\.r16"):
-        export(make_level(8), "unreal", out, name="bay")
+        export(rough_level(8), "unreal", out, name="bay")
     assert (tmp_path / "precious.txt").read_text("utf-8") == "keep"

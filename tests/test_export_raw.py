@@ -5,23 +5,15 @@ import struct
 
 import numpy as np
 import pytest
+from exports import slope_level
 from shorewright.io.export import check, export, meshes
 from shorewright.level import Grid, Level, Rect
-
-
-def make_level(rows=23, cols=31, cell_m=1.5, sea_m=2.0):
-    """A rough ground that rises to the north-east, so that no flip or transposition goes unseen."""
-    north, east = np.mgrid[0:rows, 0:cols] * cell_m
-    noise = np.random.default_rng(4).normal(0, 0.3, (rows, cols))
-    level = Level(Grid(rows, cols, cell_m), (-8 + 0.5 * north + 0.2 * east + noise).astype(np.float32))
-    level.set("level.sea_level_m", sea_m)
-    return level
 
 
 @pytest.fixture
 def raw(tmp_path):
     """(level, folder, manifest, file records by ending) of a whole raw export."""
-    level = make_level()
+    level = slope_level(23, 31, 1.5, sea_m=2.0)
     level.write("foam", Rect(2, 3, 9, 12), np.array([0.25, 0.75]))
     level.write("flow", Rect(0, 0, 5, 5), np.array([1.5, -2.5]))
     level.write("ice", Rect(20, 25, 23, 31), 1.0)
@@ -119,7 +111,7 @@ def test_mesh_keeps_its_triangle_budget(rows, cols, budget):
 
 def test_thinned_mesh_stands_on_samples_and_knows_its_error():
     """Vertices stay exact samples, the edge stays the edge; between them the distance is what brute force finds."""
-    level = make_level(40, 53, 1.0)
+    level = slope_level(40, 53, 1.0)
     mesh = meshes.terrain_mesh(level.height, 1.0, budget=200)
     assert mesh.stride > 3
     assert len(mesh.faces) <= 200
@@ -172,8 +164,8 @@ def test_vti_holds_the_ground_and_every_written_layer(raw):
 )
 def test_only_picks_maps_and_leaves_no_stale_ones(tmp_path, only, names):
     """The folder then holds what its manifest lists: a mesh of yesterday's ground beside it would be a trap."""
-    export(make_level(5, 6), "raw", tmp_path / "out", name="bay")
-    paths = export(make_level(7, 6), "raw", tmp_path / "out", only=only, name="bay")
+    export(slope_level(5, 6), "raw", tmp_path / "out", name="bay")
+    paths = export(slope_level(7, 6), "raw", tmp_path / "out", only=only, name="bay")
     assert sorted(path.name for path in paths) == sorted([*names, "bay.shorewright.json"])
     assert sorted((tmp_path / "out").iterdir()) == sorted(paths)
     assert check(tmp_path / "out") == []

@@ -1,27 +1,12 @@
 """The export for Unreal: sizes, exact words, sea level, scales, oblong levels, measured error (T10)."""
 
-import json
-
 import numpy as np
 import pytest
+from exports import read_manifest, rough_level
 from shorewright.io.export import check, export, maps, unreal
 from shorewright.level import BadInput, Grid, Level, Rect
 
 PUBLISHED_SIZES = (127, 253, 505, 1009, 2017, 4033, 8129)
-
-
-def make_level(rows, cols=None, cell_m=1.0, seed=1, low=-30.0, high=55.0, sea_m=0.0):
-    """A rough level whose lowest and highest samples are exactly `low` and `high`."""
-    noise = np.random.default_rng(seed).random((rows, cols or rows))
-    noise = (noise - noise.min()) / (noise.max() - noise.min())
-    level = Level(Grid(rows, cols or rows, cell_m), (low + noise * (high - low)).astype(np.float32))
-    level.set("level.sea_level_m", sea_m)
-    return level
-
-
-def read_manifest(folder):
-    (path,) = folder.glob("*.shorewright.json")
-    return json.loads(path.read_text("utf-8"))
 
 
 def unreal_cm(folder):
@@ -62,7 +47,7 @@ def test_landscape_sizes_follow_epics_formula(size):
 )
 def test_unreal_decodes_to_the_ground(tmp_path, samples, size):
     """The words, decoded by the published formula, are the level's own samples, on any size."""
-    level = make_level(samples, cell_m=2.5)
+    level = rough_level(samples, cell_m=2.5)
     export(level, "unreal", tmp_path / "out", name="coast")
     manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
     assert cm.shape == (size, size)
@@ -78,7 +63,7 @@ def test_unreal_decodes_to_the_ground(tmp_path, samples, size):
 
 
 def test_level_of_a_landscapes_size_fills_it(tmp_path):
-    level = make_level(127)
+    level = rough_level(127)
     export(level, "unreal", tmp_path / "out")
     off = np.abs(unreal_cm(tmp_path / "out") - 100 * level.height[::-1].astype(float)).max()
     manifest = read_manifest(tmp_path / "out")
@@ -105,7 +90,7 @@ def test_known_heights_become_known_words(tmp_path):
 
 @pytest.mark.parametrize("sea_m", [0.0, 3.7, -41.25])
 def test_sea_level_lands_on_32768(tmp_path, sea_m):
-    level = make_level(60, low=sea_m - 20, high=sea_m + 9, sea_m=sea_m)
+    level = rough_level(60, low=sea_m - 20, high=sea_m + 9, sea_m=sea_m)
     level.write("height", Rect(10, 20, 30, 50), sea_m)
     export(level, "unreal", tmp_path / "out")
     words = np.fromfile(next((tmp_path / "out").glob("*.r16")), "<u2").reshape(127, 127)
@@ -120,7 +105,7 @@ def test_scale_z_is_the_smallest_that_holds_the_level(tmp_path, low, high):
     wanted = 100 * max(abs(low) / 256 if low < 0 else 0, high / (256 - 1 / 128))
     scale = unreal.smallest_scale_z(low, high)
     assert wanted - 1e-9 <= scale <= wanted + 1e-6
-    export(make_level(127, low=low, high=high), "unreal", tmp_path / "out")
+    export(rough_level(127, low=low, high=high), "unreal", tmp_path / "out")
     assert read_manifest(tmp_path / "out")["engine"]["scale_z"] == pytest.approx(scale, abs=1e-5)  # float32 heights
     words = np.fromfile(next((tmp_path / "out").glob("*.r16")), "<u2").astype(int)
     unused = words.min() if -low / 256 > high / (256 - 1 / 128) else 65535 - words.max()
@@ -136,7 +121,7 @@ def test_flat_level_at_sea_level_gets_the_engines_scale(tmp_path):
 
 @pytest.mark.parametrize(("rows", "cols"), [(127, 64), (64, 127), (100, 30), (30, 100)])
 def test_oblong_level_keeps_square_cells_and_its_edge_goes_on(tmp_path, rows, cols):
-    level = make_level(rows, cols, cell_m=3.0)
+    level = rough_level(rows, cols, cell_m=3.0)
     export(level, "unreal", tmp_path / "out")
     manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
     engine, part = manifest["engine"], manifest["engine"]["level_part"]
@@ -154,7 +139,7 @@ def test_oblong_level_keeps_square_cells_and_its_edge_goes_on(tmp_path, rows, co
 
 def test_recipe_types_the_values_that_decode(tmp_path):
     """What a person types into the dialog is what the words were made with, to the last digit of ScaleZ."""
-    export(make_level(100, 80), "unreal", tmp_path / "out", name="bay")
+    export(rough_level(100, 80), "unreal", tmp_path / "out", name="bay")
     manifest = read_manifest(tmp_path / "out")
     engine, recipe = manifest["engine"], " | ".join(manifest["import_recipe"])
     assert f"Scale: X {engine['scale_x']:.6f} Y {engine['scale_y']:.6f} Z {engine['scale_z']:.6f}" in recipe

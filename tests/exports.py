@@ -1,0 +1,42 @@
+"""Levels to export, and looks at what was written."""
+
+import json
+
+import numpy as np
+from shorewright.level import Grid, Level
+
+MANIFEST = "bay.shorewright.json"  # of an export named bay
+
+
+def rough_level(rows, cols=None, cell_m=1.0, seed=1, low=-30.0, high=55.0, sea_m=0.0):
+    """A rough level whose lowest and highest samples are exactly `low` and `high`."""
+    noise = np.random.default_rng(seed).random((rows, cols or rows))
+    noise = (noise - noise.min()) / (noise.max() - noise.min())
+    level = Level(Grid(rows, cols or rows, cell_m), (low + noise * (high - low)).astype(np.float32))
+    level.set("level.sea_level_m", sea_m)
+    return level
+
+
+def slope_level(rows=30, cols=41, cell_m=1.0, sea_m=0.0):
+    """A rough ground that rises to the north-east, so that no flip or transposition goes unseen."""
+    north, east = np.mgrid[0:rows, 0:cols] * cell_m
+    noise = np.random.default_rng(8).normal(0, 0.4, (rows, cols))
+    level = Level(Grid(rows, cols, cell_m), (-6 + 0.3 * north + 0.1 * east + noise).astype(np.float32))
+    level.set("level.sea_level_m", sea_m)
+    return level
+
+
+def read_manifest(folder):
+    (path,) = folder.glob("*.shorewright.json")
+    return json.loads(path.read_text("utf-8"))
+
+
+def snapshot(folder):
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def one(findings, word):
+    """The only finding, which names `word`."""
+    assert len(findings) == 1, findings
+    assert word in findings[0]
+    assert "\n" not in findings[0]
