@@ -216,8 +216,10 @@ class Renderer:
 
     def release(self) -> None:
         """Give back everything on the GPU."""
-        for thing in (self.programs, self.uploader, self.generated, *self.targets.values(), *self.meshes.values()):
+        owners = (self.targets, self.meshes, self.kept.get("shadows", {}))
+        for thing in (self.programs, self.uploader, self.generated, *(t for held in owners for t in held.values())):
             thing.release()
+        self.kept.clear()
 
 
 def jitter(index: int, samples: int) -> tuple[float, float]:

@@ -145,6 +145,12 @@ class Shader:
             self._fullscreen = self.ctx.vertex_array(self.program, [])
         self._fullscreen.render(vertices=3)
 
+    def strip(self) -> None:
+        """Draw two triangles, whose four corners the vertex stage finds by gl_VertexID."""
+        if self._fullscreen is None:
+            self._fullscreen = self.ctx.vertex_array(self.program, [])
+        self._fullscreen.render(self.ctx.TRIANGLE_STRIP, vertices=4)
+
     def release(self) -> None:
         if self._fullscreen is not None:
             self._fullscreen.release()

@@ -26,6 +26,7 @@ class Uploader:
         self.sent: Counter[str] = Counter()
         self.bounds: HeightBounds | None = None
         self.seen: dict[str, object] = {}
+        self.wholes = 0  # how often all of a level's height was sent
         self.level: Level | None = None
         self.most_side = ctx.info["GL_MAX_TEXTURE_SIZE"]
 
@@ -58,6 +59,7 @@ class Uploader:
         for rect in rects:
             self._part("u_height", level.height, rect, "f4")
         if fresh:
+            self.wholes += 1
             self.bounds = HeightBounds(level.height)
         else:
             for rect in rects:

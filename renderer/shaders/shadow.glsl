@@ -1,9 +1,9 @@
 // Height of the land's shadow over the whole level, by doubling: after k rounds a texel knows the highest of the rays
 // that left 1 … 2^k texels towards the sun. Ten rounds of two fetches in place of a thousand steps.
 #ifdef VERTEX
-void main() {
-    gl_Position = vec4(vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0), 0.0, 1.0);
-}
+uniform vec2 u_corners[4];  // all of the map, or the strip that a change of the ground can shade
+
+void main() { gl_Position = vec4(u_corners[gl_VertexID], 0.0, 1.0); }
 #endif
 
 #ifdef FRAGMENT

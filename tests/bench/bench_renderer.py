@@ -71,8 +71,8 @@ def pass_seconds(renderer, level, camera, quality: str) -> dict[str, float]:
     for _ in range(ROUNDS + 1):
         scale = tier(quality).scale
         frame = renderer.prepare(level, camera, SIZE, 12.0, find_view("final"), None, quality, None, scale=scale)
-        if "shadow" in renderer.kept:
-            renderer.kept.pop("shadow").release()  # else it would have nothing to do
+        for shadow in renderer.kept.get("shadows", {}).values():
+            shadow.key = ()  # else it would have nothing to do
         renderer.ctx.disable(renderer.ctx.DEPTH_TEST | renderer.ctx.BLEND)
         for row in PASSES:
             module = import_module(f"shorewright.renderer.passes.{row.name}")
