@@ -39,6 +39,43 @@ def test_same_time_same_bytes_however_it_was_reached(renderer, ctx):
     fresh.release()
 
 
+@pytest.mark.parametrize("quality", ["low", "medium"])
+def test_history_leaves_no_trace_in_the_picture(renderer, ctx, quality):
+    """T05: after a run, a scrub back, another level, a stroke, its undo, other tiers and sizes: the first bytes.
+
+    On the renderer that has seen it all and on a fresh one, while the stroke's change showed in between.
+    """
+    from shorewright.brushes import BRUSHES, Stroke
+    from shorewright.level import Journal
+
+    level, other, place = coast(rock=9.0), coast(slope=0.2), camera()
+    shoot = {"size": SIZE, "quality": quality, "renderer": renderer}
+    clock, journal, brush = Clock(), Journal(level), BRUSHES["raise"]
+    clock.scrub(6.4)
+    first = render(level, place, time_s=clock.time_s, **shoot)
+    for _ in range(3):
+        clock.advance(0.31)
+        render(level, camera(yaw=40.0), time_s=clock.time_s, **shoot)
+    render(other, place, (64, 36), 2.0, quality="high", renderer=renderer)
+    stroke = Stroke(level, journal, brush, brush.with_params({"size_m": 14.0, "strength": 3.0}))
+    stroke.begin(110.0, 90.0)
+    for step in range(4):
+        stroke.move(114.0 + 6 * step, 92.0 + 5 * step)
+        moving = render(level, place, time_s=6.4, **shoot)  # the live window of the shore map, strips of shadow
+    stroke.end()
+    settled = render(level, place, time_s=6.4, **shoot)
+    assert not np.array_equal(first, moving)
+    clock.scrub(6.4)
+    fresh = Renderer(ctx)
+    assert np.array_equal(settled, render(level, place, time_s=clock.time_s, **{**shoot, "renderer": fresh}))
+    journal.undo()
+    assert np.array_equal(first, render(level, place, time_s=clock.time_s, **shoot))
+    assert np.array_equal(first, render(level, place, time_s=clock.time_s, **{**shoot, "renderer": fresh}))
+    fresh.release()
+    journal.redo()
+    assert np.array_equal(settled, render(level, place, time_s=clock.time_s, **shoot))
+
+
 @pytest.mark.parametrize("quality", ["low", "medium", "high"])
 @pytest.mark.parametrize("z", [60.0, 0.35, 0.0, -1.5, -30.0])
 def test_no_nan_above_on_and_below_the_surface(renderer, z, quality):
