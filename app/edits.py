@@ -27,10 +27,13 @@ class Edits(Hand):
 
     # Settings and objects
 
-    def set(self, path: str, value: Any, merge: bool = False) -> None:
-        """Change a setting such as `sea.swell_m`; `merge` joins the steps of a slider drag until `seal`."""
+    def set(self, path: str, value: Any, merge: bool = False, always: bool = False) -> None:
+        """Change a setting such as `sea.swell_m`; `merge` joins the steps of a slider drag until `seal`.
+
+        The value it has already leaves no step unless `always`.
+        """
         changed = replace(self.level.settings, path, value)
-        if changed == self.level.settings:
+        if changed == self.level.settings and not always:
             return
         self._end_stroke()
         with self._edit(words.Set(name=path, value=get(changed, path)), merge):
@@ -209,7 +212,7 @@ class Edits(Hand):
                 params = self.with_params(action.brush, action.params, fresh=True)
                 self.draw(action.brush, params, action.points, **options)
             case words.Set():
-                self.set(action.name, action.value)
+                self.set(action.name, action.value, always=True)  # a drag that ended where it began was a step
             case words.SetAll():
                 self.set_all(action.label, action.values)
             case words.Time():

@@ -30,7 +30,7 @@ class Steps:
             return
         self._noted(step)
         if word is not None:
-            self._recorded(word, merge)
+            self._recorded(word, merged=step is before)
 
     def _noted(self, step: Step) -> None:
         self._changed()
@@ -42,11 +42,13 @@ class Steps:
         if self.recovery and self.recovery.failed and self.recovery.failed not in self.notes:
             self.notes.append(self.recovery.failed)
 
-    def _recorded(self, word: words.Action, merge: bool = False) -> None:
-        last = self.record[-1] if self.record else None
-        if merge and isinstance(last, words.Set) and isinstance(word, words.Set) and last.name == word.name:
-            self.record.pop()
-        self.record.append(word)
+    def _recorded(self, word: words.Action, merged: bool = False) -> None:
+        """Add a word to the script; one whose step joined the last one takes that one's place."""
+        if merged:
+            last = next(n for n in reversed(range(len(self.record))) if isinstance(self.record[n], type(word)))
+            self.record[last] = word
+        else:
+            self.record.append(word)
 
     def _top(self) -> Step | None:
         return self.journal.done[-1] if self.journal.done else None

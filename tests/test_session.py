@@ -248,3 +248,18 @@ def test_a_pointer_that_leaves_the_level_is_no_error(session):
     session.stroke_move(60, 60)
     session.stroke_move(5000, 60)
     assert not session.stroke_end().empty
+
+
+def test_slider_drags_replay_as_the_steps_they_were(session, tmp_path):
+    """T08, T10: two drags of one slider, one with a pause in it, one back to where it began, then undo twice."""
+    for values in ((0.5, 0.8), (0.9, 0.8), (1.1, 0.8)):
+        for value in values:
+            session.set("sea.swell_m", value, merge=True)
+            session.toggle_pause()
+        session.seal()
+    session.undo()
+    session.undo()
+    with Session(make_beach(), spill_root=tmp_path) as other:
+        other.run(session.script)
+        assert len(other.journal.done) == len(session.journal.done) == 1
+        assert state(other) == state(session)
