@@ -12,6 +12,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/shadow.glsl"
 #include "lib/land_light.glsl"
 out vec4 out_radiance;
+const vec3 LAND_BOUNCE = vec3(0.17, 0.155, 0.13);  // albedo of land, half of it in the sun
 
 void main() {
     Surface s = read_gbuffer(ivec2(gl_FragCoord.xy));
@@ -28,7 +29,10 @@ void main() {
         float coast = land_in_mirror(u_camera + relative, normalize(vec3(mirror.xy, max(mirror.z, 0.02))));
         mirrored = mix(mirrored, (sky_irradiance(vec3(0.0, 0.0, 1.0)) + 0.35 * sun_radiance()) * 0.045, coast);
     }
-    light += brdf_ambient(s.albedo, s.normal, to_eye, s.roughness, f0, sky_irradiance(s.normal) * s.open, mirrored);
+    // what hides the sky is itself lit land or water, and gives part of its light back
+    vec3 up = sky_irradiance(vec3(0.0, 0.0, 1.0)) + sun_radiance() * max(u_sun_direction.z, 0.0);
+    vec3 ambient = sky_irradiance(s.normal) * s.open + up * LAND_BOUNCE * (1.0 - s.open);
+    light += brdf_ambient(s.albedo, s.normal, to_eye, s.roughness, f0, ambient, mirrored);
     out_radiance = vec4(min(light + s.emissive, MOST_RADIANCE), 1.0);
 }
 #endif

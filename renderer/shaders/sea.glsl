@@ -1,4 +1,5 @@
 // The sea, one more layer in the same G-buffer (D01). With HORIZON: the plane beyond the mesh, to infinity (H21).
+// With COARSE the surface is the mesh's own, not the wave along each pixel's ray.
 #include "lib/frame.glsl"
 #include "level/waves.glsl"
 
@@ -96,8 +97,9 @@ void fade_surf(inout Sea sea) {
     sea.shore.fall *= share;
     sea.bed.sea.x *= share;
     // out there it is open sea, whatever the border shows
-    sea.deep = mix(1.0, sea.deep, share);
-    sea.bed.depth.x = mix(u_apron.y, sea.bed.depth.x, share);
+    float open_sea = smoothstep(0.01 * u_apron.x, 0.12 * u_apron.x, length(outside));
+    sea.deep = max(sea.deep, open_sea);
+    sea.bed.depth.x = max(sea.bed.depth.x, u_apron.y * open_sea * open_sea);
 }
 
 // The wave where the pixel's ray is `way` metres beyond `start`; returns how far the ray is above it.
@@ -173,7 +175,7 @@ void main() {
     sharp.y = mix(1.0, sharp.y, smoothstep(SEARCH_M, 1.4 * SEARCH_M, length(relative)));
     chop_share = sharp.y;
     Sea sea = sea_surface(before);
-#ifndef HORIZON
+#if !defined(HORIZON) && !defined(COARSE)
     if (shares.x >= 1.0) onto_surface(relative, before, sea);
 #endif
     fade_surf(sea);
@@ -213,7 +215,8 @@ void main() {
     from_below = bubbles(from_below, foam, sun, sky);
     from_below += water_crest_light(max(sea.height01 * sharp.x, body), normal, to_eye, u_sun_direction) * sun;
     from_below *= (1.0 - water_fresnel(cosine, roughness)) * (1.0 - foam.cover);
-    write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, mix(roughness, FOAM_ROUGHNESS, foam.cover),
+    roughness = mix(roughness, FOAM_ROUGHNESS, foam.cover);
+    write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness,
                           u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
 }
 #endif

@@ -23,7 +23,8 @@ vec4 foam_fields(vec2 xy, vec2 flow, vec2 to_light, float lod, out float lee) {
     float second = u_foam_phase.z;
     vec2 way = flow * u_foam_phase.w;
     vec4 a = textureLod(u_foam, (xy - way * u_foam_phase.x) / tile, lod);
-    vec4 ahead = textureLod(u_foam, (xy - way * u_foam_phase.x + to_light * (0.004 * tile * exp2(0.7 * lod))) / tile, lod);
+    vec2 lit_side = to_light * (0.004 * tile * exp2(0.7 * lod));
+    vec4 ahead = textureLod(u_foam, (xy - way * u_foam_phase.x + lit_side) / tile, lod);
     lee = dot(ahead.rgb - a.rgb, vec3(0.25, 0.35, 0.4)) * (1.0 - second);
     vec4 b = textureLod(u_foam, (xy - way * u_foam_phase.y) / tile + vec2(0.37, 0.61), lod);
     // rafts three tiles wide, still, break the repetition and give the foam a shape from afar
@@ -64,13 +65,14 @@ Foam foam_at(vec2 before, float amount, float fresh, float rim, vec2 flow, vec2 
     }
     // cells within cells fray the threads, bubbles eat into the edges: the texture alone would be blurred
     float lee;
-    vec2 frayed = before + (cells.gb - 0.5) * (0.030 * u_foam_tile_m * close);
+    vec2 frayed = before + (cells.gb - 0.5) * (0.019 * u_foam_tile_m * close);
     vec4 fields = foam_fields(frayed, flow, to_light, max(lod, 0.0), lee);
-    fields.rgb += ((cells.a - 0.35) * 0.22 + (cells.g - 0.5) * vec3(0.34, 0.30, 0.20)) * close;
+    fields.rgb += ((cells.a - 0.35) * 0.22 + (cells.g - 0.5) * vec3(0.16, 0.22, 0.20)) * close;
     float cover = foam_cover(fields, amount, max(lod, 0.0));
     float fine = mix(fields.a, 0.4, smoothstep(0.0, 3.0, lod));
     cover = saturate(cover * (0.84 + 0.10 * fresh + 0.20 * fine) + 0.30 * rim * fine * (1.0 - cover));
-    float relief = cover * mix(mix(fields.b, fields.g, 0.4), 0.5 + grain, 0.35 * close) - 1.6 * lee * mix(1.0, 1.5, fresh);
+    float relief = cover * mix(mix(fields.b, fields.g, 0.4), 0.5 + grain, 0.35 * close);
+    relief -= mix(1.6, 2.4, fresh) * lee;
     return Foam(cover, amount, smoothstep(0.15, 0.9, amount), saturate(relief), fresh);
 }
 

@@ -38,7 +38,7 @@ Ground sand_ground(vec3 p, vec3 n, float pixel_m, vec4 broad) {
     vec3 tint = mix(vec3(0.43, 0.355, 0.255), vec3(0.49, 0.42, 0.315), broad.r);
     tint *= 0.86 + 0.16 * near.w + 0.12 * (far.z - 0.5) + 0.16 * (broad.g - 0.35);
     // specks of shell and dark grains
-    tint *= 1.0 - 0.35 * smoothstep(0.94, 1.0, near.w) * smoothstep(0.08, 0.01, pixel_m);
+    tint *= 1.0 - 0.35 * smoothstep(0.94, 1.0, near.w) * (1.0 - smoothstep(0.01, 0.08, pixel_m));
     return Ground(tint, tilt(n, slope), 0.9, 0.03);
 }
 
@@ -67,18 +67,29 @@ vec4 rock_layer(vec3 p, vec3 n, float tile_m, float pixel_m, out vec3 lean) {
 }
 
 Ground rock_ground(vec3 p, vec3 n, float height, float pixel_m, vec4 broad, vec4 mid) {
-    vec3 lean, lean_far;
+    vec3 lean, lean_far, lean_fine = vec3(0.0);
     vec4 near = rock_layer(p, n, 6.5, pixel_m, lean);
     vec4 far = rock_layer(p.yxz + 11.3, n.yxz, 31.0, pixel_m, lean_far);
-    // beds of stone: bands of height, dipping and bent
+    float close = 1.0 - smoothstep(0.012, 0.045, pixel_m);
+    vec4 fine = vec4(0.0, 0.0, 0.5, 0.5);
+    if (close > 0.0) fine = rock_layer(p.zxy + 4.9, n.zxy, 1.3, pixel_m, lean_fine);
+    // beds of stone at three scales: thick bands of colour, courses, and thin lines; dipping and bent
     float bed = p.z + 0.11 * p.x - 0.07 * p.y + 3.2 * (broad.r - 0.5) + 0.8 * (far.z - 0.5);
     vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
+    vec4 course = textureLod(u_noise, vec2((bed + 0.25 * near.z) * 0.11, 0.71), log2(max(pixel_m * 56.0, 1.0)));
+    float cliff = smoothstep(0.15, 0.6, 1.0 - n.z);
     vec3 tint = mix(vec3(0.165, 0.150, 0.135), vec3(0.36, 0.315, 0.255), smoothstep(0.25, 0.75, band.g));
     tint = mix(tint, vec3(0.40, 0.29, 0.19), 0.55 * smoothstep(0.62, 0.95, band.r));
-    tint *= (0.50 + 0.45 * near.z + 0.45 * far.z + 0.22 * (near.w - 0.5)) * (0.75 + 0.5 * broad.g);
+    tint *= 0.44 + 0.50 * near.z + 0.42 * far.z + 0.22 * (near.w - 0.5) + 0.5 * (fine.z - 0.5);
+    tint *= 0.75 + 0.5 * broad.g;
+    // soft courses weather back: a dark joint under each ledge, most on cliffs
+    float joint = 1.0 - smoothstep(0.05, 0.30, course.g);
+    tint *= 1.0 + mix(0.25, 0.7, cliff) * (0.34 * (course.g - 0.5) + 0.22 * (course.b - 0.5) - 0.45 * joint);
     tint = mix(tint, vec3(0.34, 0.33, 0.26), 0.35 * smoothstep(0.72, 0.95, mid.g * 0.6 + near.w * 0.4)
                                                  * smoothstep(3.0, 9.0, height));  // lichen
-    vec3 normal = normalize(n - 0.42 * lean - 0.5 * lean_far.yxz + vec3(0.0, 0.0, 0.16 * (band.b - 0.5)) * (1.0 - n.z));
+    float ledge = 0.16 * (band.b - 0.5) + 0.55 * (course.g - 0.5) + 0.25 * (course.b - 0.5);
+    vec3 normal = n - 0.55 * lean - 0.5 * lean_far.yxz - 0.45 * close * lean_fine.yzx;
+    normal = normalize(normal + vec3(0.0, 0.0, ledge * cliff));
     return Ground(tint, normal, 0.82, 0.04);
 }
 
@@ -106,9 +117,9 @@ Ground floor_ground(vec3 p, vec3 n, float depth, float pixel_m, vec4 broad, vec4
     float shallow = exp(-max(depth, 0.0) * 0.25);
     vec2 slope = turn(near.xy, -0.28, 0.96) * (0.12 + 0.12 * shallow) + turn(far.xy, 0.5, 0.866) * 0.15;
     vec3 tint = mix(vec3(0.40, 0.345, 0.255), vec3(0.47, 0.41, 0.31), broad.r) * (0.80 + 0.2 * near.z + 0.14 * far.z);
-    float weed = smoothstep(0.60, 0.72, 0.62 * broad.r + 0.30 * mid.g + 0.12 * mid.b);
+    float weed = smoothstep(0.60, 0.86, 0.60 * broad.r + 0.24 * broad.g + 0.12 * mid.g + 0.10 * near.z);
     weed *= smoothstep(1.2, 3.0, depth) * (1.0 - smoothstep(13.0, 22.0, depth));
-    tint = mix(tint, vec3(0.055, 0.070, 0.030) * (0.6 + 0.8 * near.w), 0.92 * weed);
+    tint = mix(tint, vec3(0.055, 0.070, 0.030) * (0.7 + 0.9 * near.w), 0.82 * weed);
     return Ground(tint, tilt(n, slope), 0.9, 0.03);
 }
 
@@ -117,8 +128,10 @@ Ground mix_ground(Ground a, Ground b, float t) {
                   mix(a.specular, b.specular, t));
 }
 
-// `wet` 0 … 1 from the swash; `painted_cover` sand, rock, grass, always wet. `pixel_m` from pixel_size(position).
-Ground ground_at(vec3 position, vec3 normal, float height_above_sea, float wet, vec4 painted_cover, float pixel_m) {
+// `rough` change of slope round the place, `wet` 0 … 1 from the swash, `painted_cover` sand, rock, grass, always wet.
+Ground ground_at(
+    vec3 position, vec3 normal, float height_above_sea, float rough, float wet, vec4 painted_cover, float pixel_m
+) {
     if (height_above_sea < -DARK_DEPTH_M) return Ground(vec3(0.3, 0.27, 0.2), normal, 0.9, 0.03);
     vec4 broad = noise_at(turn(position.xy, 0.43, 0.903), 173.0, pixel_m);
     vec4 mid = noise_at(turn(position.xy, -0.31, 0.951), 31.0, pixel_m);
@@ -131,6 +144,8 @@ Ground ground_at(vec3 position, vec3 normal, float height_above_sea, float wet, 
     float dry_land = smoothstep(-1.0, 1.0, (h - u_ground_sand_top_m) / 0.9 + 2.2 * ragged);
     float grass = dry_land * (1.0 - steep);
     rock = max(rock, dry_land * steep);
+    // flat but broken ground by the sea is a platform of rock, not a beach
+    rock = max(rock, smoothstep(0.07, 0.14, rough + 0.02 * ragged) * (1.0 - dry_land) * smoothstep(-0.3, 0.5, h));
     rock = mix(rock, 1.0, painted_cover.g) * (1.0 - max(painted_cover.r, painted_cover.b));
     grass = mix(grass * (1.0 - painted_cover.r), 1.0, painted_cover.b);
 
@@ -164,8 +179,3 @@ Ground ground_at(vec3 position, vec3 normal, float height_above_sea, float wet, 
     return g;
 }
 
-#ifdef FRAGMENT
-Ground ground_at(vec3 position, vec3 normal, float height_above_sea, float wet, vec4 painted_cover) {
-    return ground_at(position, normal, height_above_sea, wet, painted_cover, pixel_size(position));
-}
-#endif

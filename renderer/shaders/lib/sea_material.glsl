@@ -26,7 +26,7 @@ vec2 surface_flow(Sea sea) {
 // (D04). `down_m` counts from the top of the wave over its face, `to_m` turns shares of the range into metres.
 float crest_foam(ShoreMasks m, float to_m, float down_m, float broken, float tear) {
     float reach_m = mix(-0.5, 1.0, broken) * min(u_shore_width * to_m, 9.0);
-    float over = 1.0 - smoothstep(-1.6, 1.6, down_m - reach_m + 5.0 * (tear - 0.5));
+    float over = 1.0 - smoothstep(-1.6, 1.6, down_m - reach_m + 6.0 * (tear - 0.5));
     float behind = exp2(min(down_m, 0.0) / mix(0.7, 1.6, broken));
     return over * behind * smoothstep(0.05, 0.4, broken) * smoothstep(0.02, 0.3, max(m.fall, m.line));
 }
@@ -43,7 +43,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float broken = smoothstep(BREAKS_S, BROKEN_S, m.s + 0.30 * (patches - 0.5));
     float steep = max(length(sea.bed.clock.yz), 0.015);
     float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
-    float crest = crest_foam(m, to_m, down_m, broken, near);
+    float crest = crest_foam(m, to_m, down_m, broken, patches);
     float back = max(m.back, m.line) * broken;
     float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
     // the sheet: dense while it runs up, lace whose holes grow while it drains
@@ -51,9 +51,10 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float drained = swash_drained(swash_phase(swash_early(sea.position.xy)));
     float lace = sheet * mix(0.22 + 0.50 * torn, 0.30 * torn, smoothstep(0.0, 0.6, drained));
     float edge_m = (m.edge_s - m.s) * u_shore_range_m / steep;
-    float rim = shore * smoothstep(1.0, 0.15, edge_m / (0.45 + 2.0 * pixel_m + 0.6 * near));
-    rim *= mix(0.30 + 0.55 * near, 0.25 * near, smoothstep(0.1, 0.7, drained));
-    float clean = (1.0 - crest * mix(0.97, 0.80, smoothstep(0.95, 1.02, m.s))) * (1.0 - wake) * (1.0 - lace) * (1.0 - rim) * (1.0 - offshore);
+    float rim = shore - shore * smoothstep(0.15, 1.0, edge_m / (0.45 + 2.0 * pixel_m + 0.6 * near));
+    rim *= mix(0.30 + 0.55 * near, 0.25 * near, smoothstep(0.1, 0.7, drained)) * (1.0 - smoothstep(0.2, 0.6, steep));
+    crest *= mix(0.97, 0.80, smoothstep(0.95, 1.02, m.s));
+    float clean = (1.0 - crest) * (1.0 - wake) * (1.0 - lace) * (1.0 - rim) * (1.0 - offshore);
     clean = waves ? clean : 1.0;
     float amount = 1.0 - (1.0 - saturate((1.0 - clean) * u_foam_amount)) * (1.0 - paint * (0.34 + 0.26 * back));
     return foam_at(before, amount, max(crest, rim), rim, surface_flow(sea), u_sun_direction.xy, pixel_m);

@@ -16,7 +16,8 @@ Wet shore_wet(vec2 xy, float height, float pixel_m) {
     vec4 noise = noise_at(xy, 31.0, pixel_m);
     float ragged = 0.16 * (noise.g - 0.5) + 0.07 * (noise.b - 0.5);
     float reach = height / max(top, 0.05);  // 0 at the still sea, 1 at the run-up limit
-    float damp = (1.0 - smoothstep(0.92, 1.12, reach + ragged)) * max(moving, 1.0 - smoothstep(0.0, 0.1, height));
+    // wet through below, drying towards the line the last waves reached
+    float damp = (1.0 - smoothstep(0.60, 1.18, reach + ragged)) * max(moving, 1.0 - smoothstep(0.0, 0.1, height));
     vec3 early = swash_early(xy);
     float q = swash_phase(early);
     // while the next wave runs up, the film is what the last one left
