@@ -137,7 +137,7 @@ class Session(Edits):
         if path is None and self.path is None:
             raise BadInput("this level has no folder yet: save it under a name such as cove.shore")
         path = self.path if path is None else Path(path)
-        if self.folder is None or path != self.path:
+        if self.folder is None or path.resolve() != self.path.resolve():
             self._save_as(path, overwrite)
         else:
             if self.recovery:

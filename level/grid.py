@@ -114,16 +114,6 @@ class Grid:
         """World (x, y) of a (row, column); works on arrays."""
         return col * self.cell_m, row * self.cell_m
 
-    def rect_around(self, x_m: float, y_m: float, radius_m: float) -> Rect:
-        """The cells a disc can touch, clipped to the level (empty when the disc misses it)."""
-        row, col = self.to_cells(x_m, y_m)
-        reach = radius_m / self.cell_m
-        return self.clip(
-            Rect(
-                math.ceil(row - reach), math.ceil(col - reach), math.floor(row + reach) + 1, math.floor(col + reach) + 1
-            )
-        )
-
     def rect_along(self, row0: float, col0: float, row1: float, col1: float, reach: float) -> Rect:
         """The cells within `reach` cells of a line between two fractional cells, clipped to the level."""
         return self.clip(

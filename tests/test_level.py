@@ -40,9 +40,9 @@ def test_merged_rectangles_cover_what_went_in(parts):
 
 
 @given(st.floats(-10, 300), st.floats(-10, 300), st.floats(0, 90))
-def test_rect_around_holds_every_cell_of_the_disc(x, y, radius):
+def test_a_rectangle_along_nothing_holds_every_cell_of_the_disc(x, y, radius):
     grid = Grid(200, 260, 1.5)
-    rect = grid.rect_around(x, y, radius)
+    rect = grid.rect_along(*grid.to_cells(x, y), *grid.to_cells(x, y), radius / grid.cell_m)
     rows, cols = np.mgrid[0:200, 0:260]
     touched = np.hypot(rows * 1.5 - y, cols * 1.5 - x) <= radius * (1 - 1e-9)
     inside = np.zeros(grid.shape, bool)
@@ -186,3 +186,13 @@ def test_walkable_is_wading_depth_and_slope():
     assert np.array_equal(open_ground, depth <= level.settings.walk.depth_m)
     level.set("walk.slope_deg", 2.0)
     assert not walkable(level).any()
+
+
+@pytest.mark.parametrize(
+    "rect", [Rect(0, 0, 1, 1), Rect(0, 30, 40, 161), Rect(50, 50, 51, 90), Rect(128, 160, 129, 161)]
+)
+def test_walkable_of_a_part_is_part_of_the_whole(rect):
+    level = make_beach(rough_m=0.6)
+    whole = walkable(level)
+    assert 0.2 < whole.mean() < 0.8
+    assert np.array_equal(walkable(level, rect), whole[rect.slices])
