@@ -156,7 +156,7 @@ class Renderer:
         shown = copy.copy(level)  # shares arrays and caches, has settings of its own
         shown.settings = show.settings(level.settings)
         self.uploader.sync(level)
-        self.generated.update(shown)
+        self.generated.update(shown, row.mips_blended)
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
         matrices = camera_matrices(camera, size, self._near(level, camera), tuple(offset))

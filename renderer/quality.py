@@ -27,14 +27,16 @@ class Tier:
     sea_distance_m: float  # from there on the sea is the horizon plane
     shadow_size: int  # samples a side of the shadow map
     scale: float
+    sea_exact: bool  # the drawn surface is found along each pixel's ray: the twin's within 3 cm, not the mesh's
+    mips_blended: bool  # detail textures blend between two mip levels, which in software costs a second fetch
 
 
 TIERS: dict[str, Tier] = {
     tier.name: tier
     for tier in (
-        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 0.5),
-        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1.0),
-        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 1.0),
+        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 0.5, False, False),
+        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1.0, True, True),
+        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 1.0, True, True),
     )
 }
 

@@ -16,6 +16,7 @@ from .cache import cached
 from .sky_table import sky_table
 
 SAMPLERS = ("u_noise", "u_ground", "u_ripple", "u_foam", "u_sky")
+DETAIL = ("u_ground", "u_foam")
 
 
 class Textures:
@@ -40,8 +41,12 @@ class Textures:
         """(sampler name, texture) of all."""
         return self._by_name.items()
 
-    def update(self, level: Level) -> None:
-        """Make the sky's table follow the level's light settings."""
+    def update(self, level: Level, blended: bool = True) -> None:
+        """Make the sky's table follow the level's light settings; `blended` between mip levels, or the nearest one."""
+        for name in DETAIL:
+            filters = moderngl.LINEAR_MIPMAP_LINEAR if blended else moderngl.LINEAR_MIPMAP_NEAREST, moderngl.LINEAR
+            if self._by_name[name].filter != filters:
+                self._by_name[name].filter = filters
         light = level.settings.light
         key = (light.sun_elevation_deg, light.turbidity)
         if key == self._sky_key:

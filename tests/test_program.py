@@ -8,8 +8,8 @@ from shorewright.renderer.program import MOST_SAMPLERS, SHADERS, Programs, Shade
 from shorewright.renderer.uniforms import set_uniforms
 from shorewright.renderer.views import VIEWS
 
-VARIANTS = {"sea.glsl": ({"MESH": ""}, {"HORIZON": ""}), "shadow.glsl": ({"START": ""}, {"SPREAD": ""}),
-            "overlay.glsl": ({}, {"WALKABLE": ""})}  # fmt: skip
+VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": ""}),
+            "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "overlay.glsl": ({}, {"WALKABLE": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)
     for name in sorted(path.name for path in SHADERS.glob("*.glsl"))

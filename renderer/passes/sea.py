@@ -51,7 +51,7 @@ def draw(frame: Frame) -> None:
     frame.targets.gbuffer.use()
     frame.textures["u_layer_foam"] = frame.renderer.uploader.layer(frame.level, "foam")
     lod, view, chunks = sea_chunks(frame)
-    shader = frame.shader("sea.glsl", MESH="")
+    shader = frame.shader("sea.glsl", MESH="", **({} if frame.tier.sea_exact else {"COARSE": ""}))
     set_uniforms(shader.program, mesh_uniforms(lod, view))
     ctx.enable(ctx.DEPTH_TEST)
     frame.stats["sea_triangles"] = chunk_mesh(frame, lod.chunk).draw(shader, chunks)
