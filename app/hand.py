@@ -6,11 +6,10 @@ from typing import Any
 
 from ..brushes import BRUSHES, Stroke
 from ..level import BadInput, Journal, Level, Rect
+from ..level.grid import NOWHERE
 from ..level.params import Section, replace, row
 from . import script as words
 from .steps import Steps
-
-NOWHERE = Rect(0, 0, 0, 0)
 
 
 class Hand(Steps):

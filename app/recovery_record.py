@@ -15,8 +15,9 @@ from typing import BinaryIO
 
 import numpy as np
 
-from ..level import Grid, Journal, Level, Rect, Settings
+from ..level import Grid, Journal, Level, Settings
 from ..level.atoms import Thing, Value, Whole, whole_state
+from ..level.grid import NOWHERE
 from ..level.journal import Step
 from ..level.objects import OBJECT
 from ..level.tiles import Tiles, pack, unpack
@@ -106,7 +107,7 @@ def apply(level: Level, journal: Journal, change: Change) -> None:
             level.reset(change.ground.grid, change.ground.base)
             level.georeference = dict(change.ground.georeference)
         for layer, tiles in change.tiles.items():
-            rect = Rect(0, 0, 0, 0)
+            rect = NOWHERE
             for tile in tiles:
                 rect = rect.union(level.layers[layer].grid.tile_rect(tile))
             held = {tile: None if values is None else pack(values) for tile, values in tiles.items()}

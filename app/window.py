@@ -7,6 +7,7 @@ One thread for OpenGL and imgui. Panels and callbacks are guarded: a failure cos
 
 from __future__ import annotations
 
+import contextlib
 import ctypes
 import logging
 from collections.abc import Callable
@@ -14,6 +15,7 @@ from pathlib import Path
 
 import imgui_bundle
 from imgui_bundle import hello_imgui, imgui
+from pydantic import ValidationError
 
 from ..level import BadInput
 from . import keys, layout, menus, status_bar, theme
@@ -83,14 +85,11 @@ class Window:
         window = params.app_window_params
         window.window_title = f"{self.editor.session.title} – Shorewright"
         window.window_geometry.size = (preferences.window_width, preferences.window_height)
-        params.imgui_window_params.default_imgui_window_type = (
-            hello_imgui.DefaultImGuiWindowType.provide_full_screen_dock_space
-        )
-        params.imgui_window_params.show_menu_bar = True
-        params.imgui_window_params.show_menu_app = params.imgui_window_params.show_menu_view = False
-        params.imgui_window_params.show_status_bar = True
-        params.imgui_window_params.show_status_fps = False
-        params.imgui_window_params.remember_status_bar_settings = False
+        inside = params.imgui_window_params
+        inside.default_imgui_window_type = hello_imgui.DefaultImGuiWindowType.provide_full_screen_dock_space
+        inside.show_menu_bar = inside.show_status_bar = True
+        inside.show_menu_app = inside.show_menu_view = False
+        inside.show_status_fps = inside.remember_status_bar_settings = False
         params.ini_folder_type = hello_imgui.IniFolderType.app_user_config_folder
         params.ini_filename = f"shorewright/window-{layout.VERSION}.ini"
         params.ini_disable = self.drive is not None
@@ -153,9 +152,10 @@ class Window:
         if self.picture:
             self.picture.release()
         size = hello_imgui.get_runner_params().app_window_params.window_geometry.size
-        if self.drive is None and size[0] >= 320 and size[1] >= 240:
+        if self.drive is None:
             preferences = self.editor.preferences
-            preferences.window_width, preferences.window_height = min(size[0], 16384), min(size[1], 16384)
+            with contextlib.suppress(ValidationError):  # a size that no window should be opened with
+                preferences.window_width, preferences.window_height = size
             preferences.save(self.editor.save_to)
 
     def _may_close(self) -> bool:

@@ -11,12 +11,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from ..level import TILE, Level, Rect
+from ..level.grid import NOWHERE
 from ..level.journal import Step
 from .effects import Effect, Piece
 from .footprint import Footprint, Link
 
 BLOCK = 3 * TILE  # a dab within this is weighed at once, a larger one tile by tile
-NOWHERE = Rect(0, 0, 0, 0)
 
 
 class Canvas:

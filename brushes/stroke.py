@@ -10,9 +10,10 @@ import math
 from collections.abc import Iterable
 
 from ..level import BadInput, Journal, Level, Rect
+from ..level.grid import NOWHERE
 from ..level.level import cover
 from ..level.params import Section
-from .canvas import NOWHERE, Canvas
+from .canvas import Canvas
 from .catalog import BRUSHES, Brush
 from .footprint import Link
 from .params import BrushParams, SmoothParams

@@ -72,6 +72,9 @@ class Rect(NamedTuple):
         return Rect(self.row0 - cells, self.col0 - cells, self.row1 + cells, self.col1 + cells)
 
 
+NOWHERE = Rect(0, 0, 0, 0)
+
+
 @dataclass(frozen=True)
 class Grid:
     """A rectangle of square cells: `rows` × `cols` samples, `cell_m` metres apart."""

@@ -14,7 +14,7 @@ from dataclasses import dataclass, field
 from typing import Protocol
 
 from .atoms import Thing, Value, Whole, whole_state
-from .grid import Rect
+from .grid import NOWHERE, Rect
 from .layers import LayerData
 from .level import Level
 from .params import replace
@@ -51,7 +51,7 @@ class Step:
         for tile in data.grid.tiles(rect):
             if tile not in kept:
                 kept[tile] = data.snapshot(tile)
-        self.rects[data.row.name] = self.rects.get(data.row.name, Rect(0, 0, 0, 0)).union(rect)
+        self.rects[data.row.name] = self.rects.get(data.row.name, NOWHERE).union(rect)
 
 
 class Journal:
