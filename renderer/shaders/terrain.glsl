@@ -35,7 +35,7 @@ void main() {
     vec2 torn = (noise_at(position.xy, 9.0, pixel_m).gb - 0.5) * 1.4;  // painted borders follow the ground, not the cells
     vec4 cover = layer_at(u_layer_cover, position.xy + torn, u_cell_m);
     Wet wet = shore_wet(position.xy, height, pixel_m);
-    float rough, open = sky_open(position.xy, ground.yz, rough);
+    float rough, open = sky_open(position.xy + 0.8 * torn, ground.yz, rough);
     Ground g = ground_at(position, normal, height, rough, wet.damp, cover, pixel_m);
     float film = wet.film * smoothstep(0.9, 0.97, normal.z);
     g.normal = normalize(mix(g.normal, normal, 0.85 * film));

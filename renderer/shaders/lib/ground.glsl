@@ -145,7 +145,7 @@ Ground ground_at(
     float grass = dry_land * (1.0 - steep);
     rock = max(rock, dry_land * steep);
     // flat but broken ground by the sea is a platform of rock, not a beach
-    rock = max(rock, smoothstep(0.07, 0.14, rough + 0.02 * ragged) * (1.0 - dry_land) * smoothstep(-0.3, 0.5, h));
+    rock = max(rock, smoothstep(0.085, 0.17, rough + 0.02 * ragged) * (1.0 - dry_land) * smoothstep(-0.3, 0.5, h));
     rock = mix(rock, 1.0, painted_cover.g) * (1.0 - max(painted_cover.r, painted_cover.b));
     grass = mix(grass * (1.0 - painted_cover.r), 1.0, painted_cover.b);
 

@@ -20,8 +20,8 @@ float sky_open(vec2 xy, vec2 slope, out float rough) {
             bend[k & 1] += there - middle;
             way = vec2(-way.y, way.x);
         }
-        // over twice the way broken rock bends a little more than half as much a metre
-        if (ring < 2) rough = min(rough, min(abs(bend.x), abs(bend.y)) / RADII[ring] * (ring == 0 ? 1.0 : 2.0));
+        // over three times the way broken rock bends a good half as much a metre
+        if (ring < 2) rough = min(rough, min(abs(bend.x), abs(bend.y)) / RADII[ring] * (ring == 0 ? 1.0 : 1.6));
     }
     // beyond the border the land is made up: where it begins to sink is no crease
     vec2 within = min(xy, vec2(textureSize(u_height, 0) - 1) * u_cell_m - xy);
