@@ -16,15 +16,16 @@ MOST_TRIANGLES = 150_000
 COVE = Path(__file__).parents[2] / "sample_levels" / "cove.shore"
 YARDSTICK = Path(__file__).with_name("yardstick.glsl")
 NAMES = (
-    "passes in yardsticks",
-    "frame: low",
-    "frame: medium",
+    "frame: low, play",
+    "frame: low, survey",
+    "frame: medium, play",
+    "frame: medium, survey",
     "frame: low / medium",
     "triangles of a 4097² level / 150 000",
     "bytes a dab sends / bytes of its rectangle",
     "bytes a dab sends of the shore map / bytes of its rectangle",
     "bytes a fast slanting stroke sends / bytes it touched",
-    "start: first picture from a cache / without",
+    "start: a renderer from its cache / without",
     "liveness: stroke to finished picture / picture without a change",
     "liveness: stroke's end to finished picture / picture without a change",
 )
@@ -88,19 +89,23 @@ def passes(renderer) -> list[dict]:
     from shorewright.io import read_level
 
     level = read_level(COVE)
-    unit, rows, whole = Yardstick(renderer.ctx, SIZE).seconds(), [], {}
+    yardstick, units, parts, whole, rows = Yardstick(renderer.ctx, SIZE), [], {}, {}, []
     for quality in ("low", "medium"):
         for place in ("play", "survey"):
             camera = level.camera(place)
-            parts = pass_seconds(renderer, level, camera, quality)
-            told = ", ".join(f"{name} {s / unit:.2f}" for name, s in sorted(parts.items(), key=lambda row: -row[1]))
+            units.append(yardstick.seconds())
+            parts[quality, place] = pass_seconds(renderer, level, camera, quality)
             seconds = best(renderer.ctx, lambda c=camera, q=quality: renderer.draw(level, c, SIZE, 12.0, quality=q), 3)
             whole[quality, place] = seconds
-            note = f"Y at 640 × 360, Y = {unit * 1e3:.1f} ms; alone, the shadow worked out: {told}"
-            rows.append({"name": f"frame: {quality}, {place}", "ratio": seconds / unit, "limit": None, "note": note})
+    unit = min(units)  # of several: other programs may slow one down
+    for (quality, place), seconds in whole.items():
+        by_cost = sorted(parts[quality, place].items(), key=lambda row: -row[1])
+        told = ", ".join(f"{name} {s / unit:.2f}" for name, s in by_cost if s > 0.005 * unit)
+        note = f"Y at 640 × 360, Y = {unit * 1e3:.1f} ms; one by one, the shadow made anew: {told}"
+        rows.append({"name": f"frame: {quality}, {place}", "ratio": seconds / unit, "limit": None, "note": note})
     ratio = max(whole["low", place] / whole["medium", place] for place in ("play", "survey"))
     note = "; ".join(f"{q} {p} {s * 1e3:.0f} ms" for (q, p), s in whole.items())
-    rows.append({"name": NAMES[3], "ratio": ratio, "limit": 0.5, "note": note})
+    rows.append({"name": NAMES[4], "ratio": ratio, "limit": 0.5, "note": note})
     return rows
 
 
@@ -121,7 +126,7 @@ def triangles(renderer, level) -> list[dict]:
         renderer.draw(level, level.camera(name), (160, 90), quality="medium")
         told[name] = renderer.stats["terrain_triangles"]
     note = ", ".join(f"{name} {count}" for name, count in told.items()) + ", medium"
-    return [{"name": NAMES[4], "ratio": max(told.values()) / MOST_TRIANGLES, "limit": 1.0, "note": note}]
+    return [{"name": NAMES[5], "ratio": max(told.values()) / MOST_TRIANGLES, "limit": 1.0, "note": note}]
 
 
 def stroke(level, journal, radius: float):
@@ -144,8 +149,8 @@ def uploads(renderer, level) -> list[dict]:
     sent = {name: count - was.get(name, 0) for name, count in uploader.sent.items()}
     note = f"{rect.shape[1]} × {rect.shape[0]} cells at 4097²; " + ", ".join(f"{n} {b}" for n, b in sent.items() if b)
     rows = [
-        {"name": NAMES[5], "ratio": sent["u_height"] / (rect.cells * 4), "limit": 1.5, "note": note},
-        {"name": NAMES[6], "ratio": sent["u_bed"] / (rect.cells * 4), "limit": None,
+        {"name": NAMES[6], "ratio": sent["u_height"] / (rect.cells * 4), "limit": 1.5, "note": note},
+        {"name": NAMES[7], "ratio": sent["u_bed"] / (rect.cells * 4), "limit": None,
          "note": "four floats for every fourth sample each way, and what the window round the dab changed"},
     ]  # fmt: skip
     held.end()
@@ -158,7 +163,7 @@ def uploads(renderer, level) -> list[dict]:
     touched = int((before != level.height).sum()) * 4
     ratio = (uploader.sent["u_height"] - was) / touched
     note = f"200 dabs of radius 128 between two pictures, {touched / 1e6:.1f} MB of samples changed"
-    rows.append({"name": NAMES[7], "ratio": ratio, "limit": 2.5, "note": note})
+    rows.append({"name": NAMES[8], "ratio": ratio, "limit": 2.5, "note": note})
     held.end()
     return rows
 
@@ -188,7 +193,7 @@ def start(ctx) -> list[dict]:
             renderer.release()
     os.environ.pop(VARIABLE) if before is None else os.environ.update({VARIABLE: before})
     note = f"{took[-1]:.2f} s against {took[0]:.2f} s to make them"
-    return [{"name": NAMES[8], "ratio": took[-1] / took[0], "limit": 0.5, "note": note}]
+    return [{"name": NAMES[9], "ratio": took[-1] / took[0], "limit": 0.5, "note": note}]
 
 
 def liveness(renderer) -> list[dict]:
@@ -222,8 +227,8 @@ def liveness(renderer) -> list[dict]:
     live = float(np.median(moves))
     note = f"{live * 1e3:.0f} ms (longest {max(moves) * 1e3:.0f}) against {still * 1e3:.0f} ms, low, 320 × 180"
     return [
-        {"name": NAMES[9], "ratio": live / still, "limit": 2.0, "note": note},
-        {"name": NAMES[10], "ratio": end / still, "limit": None, "note": f"{end * 1e3:.0f} ms: the shore map anew"},
+        {"name": NAMES[10], "ratio": live / still, "limit": 2.0, "note": note},
+        {"name": NAMES[11], "ratio": end / still, "limit": None, "note": f"{end * 1e3:.0f} ms: the shore map anew"},
     ]
 
 
