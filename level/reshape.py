@@ -10,6 +10,7 @@ import math
 
 import numpy as np
 
+from . import earth
 from .errors import BadInput
 from .grid import Grid, Rect
 from .layers import LayerData
@@ -91,12 +92,8 @@ def crop(level: Level, rect: Rect) -> tuple[float, float]:
     """Keep the cells in `rect`, bit for bit; returns how far (x, y) metres the origin moved north-east."""
     grid = Grid(*rect.shape, level.grid.cell_m)
     moved = level.grid.to_metres(rect.row0, rect.col0)
-    georeference = dict(level.georeference)
-    for key, by in (("easting", moved[0]), ("northing", moved[1])):
-        if isinstance(georeference.get(key), int | float):
-            georeference[key] = georeference[key] + by
     _refill(level, grid, lambda values: np.ascontiguousarray(values[rect.slices]))
-    level.georeference = georeference
+    level.georeference = earth.moved(level.georeference, *moved)
     return moved
 
 

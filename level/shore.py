@@ -19,7 +19,6 @@ from .dual import Dual, step
 from .grid import Rect
 from .level import Level, merge
 from .objects import SeaSeed
-from .settings import Shore
 
 MOST_SIDE = 1025  # samples a side: larger levels are read with a stride
 LIVE_MARGIN = 24  # cells round a change that are worked out with it
@@ -98,11 +97,9 @@ def _whole(level: Level, seeds: tuple) -> ShoreMap:
     stride = _stride(level)
     cell_m = level.grid.cell_m * stride
     depth = level.sea_level_m - level.height[::stride, ::stride].astype(np.float32)
-    wet = depth > 0
-    start = wet & _open_edge(depth, seeds, cell_m)
-    sea = _touching(ndimage.label(wet)[0], start)
+    start = (depth > 0) & _open_edge(depth, seeds, cell_m)
     least = _from_the_deep(depth, start, level.settings.shore.range_m)
-    return ShoreMap(_pack(level, depth, sea, least, cell_m), least, cell_m, stride)
+    return ShoreMap(_pack(level, depth, least, cell_m), least, cell_m, stride)
 
 
 def _open_edge(depth: np.ndarray, seeds: tuple, cell_m: float) -> np.ndarray:
@@ -128,10 +125,15 @@ def _from_the_deep(depth: np.ndarray, start: np.ndarray, range_m: float) -> np.n
     return least
 
 
-def _pack(level: Level, depth, sea, least, cell_m: float) -> np.ndarray:
-    """The four channels from depth, sea cells and the bottleneck depth."""
+def _pack(level: Level, depth, least, cell_m: float) -> np.ndarray:
+    """The four channels from depth and the bottleneck depth.
+
+    The swash comes as far as the lowest way from the sea stays below the run-up: a tide pool behind a low rim is
+    topped, a hollow inland stays still (D03).
+    """
     shore = level.settings.shore
-    clock = np.where(sea & np.isfinite(least), least, depth) if shore.monotone else depth
+    reached = least > -(1.1 * shore.range_m * shore.runup + 0.05)
+    clock = np.where(reached, least, depth) if shore.monotone else depth
     sigma = shore.smooth_m / cell_m
     if sigma > 0.05:
         smooth = ndimage.gaussian_filter(clock, sigma, mode="nearest", truncate=3)
@@ -140,45 +142,8 @@ def _pack(level: Level, depth, sea, least, cell_m: float) -> np.ndarray:
     wide = ndimage.gaussian_filter(clock, max(ROCKS_M / cell_m, 0.3), mode="nearest", truncate=3)
     packed = np.zeros((*depth.shape, 4), np.float32)
     packed[..., 0], packed[..., 1], packed[..., 3] = clock, depth, wide
-    packed[..., 2] = _sea_and_its_swash(depth, sea, _shallow(depth, shore))
+    packed[..., 2] = reached
     return packed
-
-
-def _shallow(depth: np.ndarray, shore: Shore) -> np.ndarray:
-    """Numbers of the regions that a swash from anywhere inside could reach, 0 for higher ground."""
-    return ndimage.label(depth > -(1.1 * shore.range_m * shore.runup + 0.05))[0]
-
-
-def _touching(regions: np.ndarray, cells: np.ndarray) -> np.ndarray:
-    """The regions (numbers, 0 for none) that hold one of `cells`, as a mask."""
-    touched = np.zeros(int(regions.max()) + 1, bool)
-    touched[regions[cells]] = True
-    touched[0] = False
-    return touched[regions]
-
-
-def _sea_and_its_swash(depth: np.ndarray, sea: np.ndarray, shallow: np.ndarray) -> np.ndarray:
-    """The sea and the sand its run-up reaches; hollows inland, and the sand nearest to them, stay still (D03)."""
-    reached = _touching(shallow, sea)
-    wet = depth > 0
-    pond = wet & ~sea
-    if not (pond.any() and sea.any()):
-        return (reached & ~pond).astype(np.float32)
-    from scipy.spatial import cKDTree
-
-    sand = np.argwhere(reached & ~wet)
-    to_sea, to_pond = (cKDTree(np.argwhere(_rim(water))).query(sand)[0] for water in (sea, pond))
-    still = sand[to_pond < to_sea]
-    reached[still[:, 0], still[:, 1]] = False
-    return (reached & ~pond).astype(np.float32)
-
-
-def _rim(water: np.ndarray) -> np.ndarray:
-    """The cells of a mask that have a neighbour outside it, or stand at the border: the nearest to any dry place."""
-    rim = water.copy()
-    inner = water[:-2, 1:-1] & water[2:, 1:-1] & water[1:-1, :-2] & water[1:-1, 2:]
-    rim[1:-1, 1:-1] &= ~inner
-    return rim
 
 
 def _update(level: Level, have: ShoreMap, at: int) -> ShoreMap:
@@ -210,8 +175,7 @@ def _update_window(level: Level, have: ShoreMap, window: Rect, fresh: Rect) -> N
     outer = edge_of_level[window.slices] & (depth > 0)
     marker = np.where(rim, np.where(outer, depth, known), -np.inf).astype(np.float32)
     least = bottleneck(marker, depth)
-    sea = (depth > 0) & (least > 0)
-    packed = _pack(level, depth, sea, least, have.cell_m)
+    packed = _pack(level, depth, least, have.cell_m)
     inner = Rect(fresh.row0 - window.row0, fresh.col0 - window.col0, fresh.row1 - window.row0, fresh.col1 - window.col0)
     have.packed[fresh.slices] = packed[inner.slices]
     have.bottleneck[fresh.slices] = least[inner.slices]

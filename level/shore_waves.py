@@ -16,6 +16,7 @@ from .noise import LATTICE, value_noise
 from .settings import Shore
 
 BREAK_S = 0.78  # where along the range a front stands highest; from there it falls
+POOL_M = 0.2  # how far below the rim before it ground counts as a pool
 SWASH_S = 0.55  # from here to the water line the level follows the swash
 
 
@@ -69,10 +70,15 @@ def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, values: np.n
         nearest = np.where(closer, np.abs(s - f.v), nearest)
         a, b = np.where(closer, a_here, a), np.where(closer, b_here, b)
         lift = lift + _body(shore, s_body - f, f) * tall
-    edge, level = _swash(shore, clock["u_shore_clock"], early)
-    lift = (lift * _height_along(s_body) * shore.height_m + level * step(SWASH_S, 1.0, s_body)) * sea
+    edge, rise = _swash(shore, clock["u_shore_clock"], early)
+    drop = bed["depth"] - bed["clock"]  # how far the bed lies below the rim that its waves came over
+    # Behind a rim the swash rises only while it tops the rim; on an open beach drop is 0 and this is 1.
+    over = rise + bed["clock"] + (1.0 - step(0.0, POOL_M, drop)) * POOL_M
+    level = rise * step(SWASH_S, 1.0, s_body) * step(0.0, POOL_M, over)
+    lift = (lift * _height_along(s_body) * shore.height_m + level) * sea
     on, moving = float(shore.on), float(shore.on and shore.vertex)
-    line, back, fall = (mask * sea.v * on for mask in masks)
+    calm = 1.0 - 0.8 * _step(POOL_M, 5 * POOL_M, drop.v)
+    line, back, fall = (mask * calm * sea.v * on for mask in masks)
     return ShoreMasks(a * on, b * on, line, back, fall, lift * moving, 1.0 + (edge - 1.0) * moving)
 
 

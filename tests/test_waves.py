@@ -112,6 +112,22 @@ def test_a_hollow_inland_stays_still():
     assert inside.shore.line.max() == 0
 
 
+@pytest.mark.parametrize(("rim_m", "moves"), [(0.3, True), (1.0, False)])
+def test_a_tide_pool_moves_only_while_the_swash_tops_its_rim(rim_m, moves):
+    """D03, D10: a pool behind a rim lower than the run-up fills when water comes over, behind a higher one never."""
+    level = make_beach(rows=257, slope=0.05)
+    north = np.arange(257)[:, None] - 128.0
+    beach = north * 0.05 + np.zeros((1, 161))
+    inland = np.abs(np.arange(161) - 80.0)[None] < 40  # the level's border is open sea
+    pool = (north > rim_m / 0.05) & (north < rim_m / 0.05 + 30) & inland
+    level.write("height", level.grid.rect, np.where(pool, -1.0, beach))
+    middle = (np.array([80.0]), np.array([128.0 + rim_m / 0.05 + 15]))
+    heights = np.array([sea_at(level, t, *middle).height_m[0] for t in np.linspace(0, 9, 90)])
+    assert (heights.max() > 0.3) == moves
+    assert heights.min() == 0
+    assert (heights == 0).mean() > 0.3
+
+
 @pytest.mark.parametrize("heading", [0, 45, 90, 133, 270])
 @pytest.mark.parametrize("variance", [0.0, 0.35, 1.0])
 def test_fronts_avoid_axes_and_each_other(heading, variance):

@@ -13,6 +13,7 @@ uniform float u_shore_on, u_shore_vertex;
 
 const float BREAK_S = 0.78;
 const float SWASH_S = 0.55;
+const float POOL_M = 0.2;  // how far below the rim before it ground counts as a pool
 
 struct ShoreMasks {
     float a, b, line, back, fall;
@@ -89,7 +90,8 @@ ShoreMasks shore_masks(Bed bed, vec2 xy) {
         }
         m.lift += d_mul(shore_body(s_body - f, f), tall);
     }
-    masks *= sea.x * u_shore_on;
+    vec3 drop = bed.depth - bed.clock;  // how far the bed lies below the rim that its waves came over
+    masks *= (1.0 - 0.8 * smoothstep(POOL_M, 5.0 * POOL_M, drop.x)) * sea.x * u_shore_on;
     m.line = masks.x;
     m.back = masks.y;
     m.fall = masks.z;
@@ -97,7 +99,10 @@ ShoreMasks shore_masks(Bed bed, vec2 xy) {
     m.b *= u_shore_on;
     m.lift = d_mul(m.lift, shore_height_along(s_body)) * u_shore_height_m;
     vec3 run = shore_swash(early);
-    vec3 level = d_mul(run * (u_shore_range_m * u_shore_runup), d_step(SWASH_S, 1.0, s_body));
+    vec3 rise = run * (u_shore_range_m * u_shore_runup);
+    // Behind a rim the swash rises only while it tops the rim; on an open beach drop is 0 and this is 1.
+    vec3 over = rise + bed.clock + (d_const(1.0) - d_step(0.0, POOL_M, drop)) * POOL_M;
+    vec3 level = d_mul(d_mul(rise, d_step(SWASH_S, 1.0, s_body)), d_step(0.0, POOL_M, over));
     float moving = u_shore_on * u_shore_vertex;
     m.lift = d_mul(m.lift + level, sea) * moving;
     m.edge_s = 1.0 + u_shore_runup * run.x * moving;

@@ -15,7 +15,7 @@ float ripple_share(float column) { return mix(0.10, 1.0, smoothstep(0.02, 1.6, c
 
 // Way of the water at the surface, m/s: the bore carries it up the beach, behind it the sheet drains.
 vec2 surface_flow(Sea sea) {
-    vec2 uphill = -sea.bed.clock.yz;
+    vec2 uphill = -sea.bed.smoothed.yz;
     float steep = length(uphill);
     if (steep < 1e-4) return vec2(0.0);
     float broken = smoothstep(BREAKS_S, BROKEN_S, sea.shore.s);
@@ -41,9 +41,13 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float patches = foam_patches(before, pixel_m, near);
     float torn = smoothstep(0.30, 0.70, patches);
     float broken = smoothstep(BREAKS_S, BROKEN_S, m.s + 0.30 * (patches - 0.5));
-    float steep = max(length(sea.bed.clock.yz), 0.015);
+    float steep = max(length(sea.bed.smoothed.yz), 0.015);
     float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
-    float crest = crest_foam(m, to_m, down_m, broken, patches);
+    // behind a bar or a rim the wave has spent itself: no crest falls there, no sheet runs up
+    float open = 1.0 - smoothstep(0.5 * POOL_M, 2.5 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
+    // on a flat a front is as wide as the flat: torn there, whole where the bed is steep
+    open *= mix(0.15 + 0.75 * torn * patches, 1.0, smoothstep(0.012, 0.05, length(sea.bed.smoothed.yz)));
+    float crest = open * crest_foam(m, to_m, down_m, broken, patches);
     float back = max(m.back, m.line) * broken;
     float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
     // the sheet: dense while it runs up, lace whose holes grow while it drains
@@ -52,6 +56,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float lace = sheet * mix(0.22 + 0.50 * torn, 0.30 * torn, smoothstep(0.0, 0.6, drained));
     float edge_m = (m.edge_s - m.s) * u_shore_range_m / steep;
     float rim = shore - shore * smoothstep(0.15, 1.0, edge_m / (0.45 + 2.0 * pixel_m + 0.6 * near));
+    rim *= open;
     rim *= mix(0.30 + 0.55 * near, 0.25 * near, smoothstep(0.1, 0.7, drained)) * (1.0 - smoothstep(0.2, 0.6, steep));
     crest *= mix(0.97, 0.80, smoothstep(0.95, 1.02, m.s));
     float clean = (1.0 - crest) * (1.0 - wake) * (1.0 - lace) * (1.0 - rim) * (1.0 - offshore);
@@ -67,7 +72,7 @@ float wave_body(Sea sea, float sharp) {
 
 // 1 on its steep shoreward face, where the eye looks a long way through green water.
 float wave_face(Sea sea, vec3 normal, float body) {
-    vec2 uphill = -sea.bed.clock.yz;
+    vec2 uphill = -sea.bed.smoothed.yz;
     float steep = length(uphill);
     return steep > 1e-4 ? body * smoothstep(0.04, 0.30, dot(normal.xy, uphill / steep)) : 0.0;
 }
