@@ -75,7 +75,7 @@ def test_the_ring_follows_the_ground(beach_level):
 
 def test_land_hides_what_is_behind_it(beach_level):
     """A ridge between camera and ring hides the far ring, not the near one."""
-    beach_level.write("height", beach_level.grid.rect_around(80, 64, 20), 15.0)
+    beach_level.write("height", beach_level.grid.rect_along(64, 80, 64, 80, 20), 15.0)
     camera = Camera(id="low", x=80, y=5, z=4, yaw_deg=0, pitch_deg=0)
     near, far = circle(beach_level, 80, 25, 5), circle(beach_level, 80, 110, 5)
     assert not hidden_by_land(beach_level, camera, near).any()
