@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from pydantic import ValidationError
 
@@ -15,9 +15,7 @@ from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
 from . import recovery_record
 from . import script as words
 from .hand import Hand
-
-if TYPE_CHECKING:
-    from ..io import Heightmap
+from .imported import imported_height
 
 
 class Edits(Hand):
@@ -93,10 +91,18 @@ class Edits(Hand):
         self._end_stroke()
         with self._edit(word), self.journal.step("Crop") as step:
             self.journal.whole(step)
+            before = {name for name, thing in self.level.objects.items() if self._inside(thing)}
             moved = crop(self.level, rect)
             for name, thing in list(self.level.objects.items()):
                 step.atoms.append(Thing(name, thing))
                 self.level.put_object(name, thing.moved(-moved[0], -moved[1]))
+        outside = sorted(name for name in before if not self._inside(self.level.objects[name]))
+        if outside:
+            self.notes.append(f"outside the level now, where they stood: {', '.join(outside)}")
+
+    def _inside(self, thing: Any) -> bool:
+        east_m, north_m = self.level.grid.extent_m
+        return 0 <= thing.x <= east_m and 0 <= thing.y <= north_m
 
     def import_height(self, path: Path | str, **flags) -> list[str]:
         """Put another ground under what was sculpted, which stays where the grid is the same; returns what to tell."""
@@ -231,23 +237,6 @@ class Edits(Hand):
                 self.import_height(action.path, **action.flags)
             case words.Plain():
                 PLAIN[action.do](self)
-
-
-def imported_height(path: Path | str, flags: dict[str, Any]) -> Heightmap:
-    """`io.import_height` with flags that may come from a script; BadInput for one it doesn't know."""
-    from inspect import signature
-
-    from ..io import import_height
-
-    known = list(signature(import_height).parameters)[1:]
-    for name in flags:
-        if name not in known:
-            raise BadInput(f"an import has no flag {name!r}; it has: {', '.join(known)}")
-    flags = {name: tuple(value) if isinstance(value, list) else value for name, value in flags.items()}
-    try:
-        return import_height(path, **flags)
-    except (TypeError, AttributeError) as error:
-        raise BadInput(f"a flag of the import of {path} is of the wrong kind ({error})") from None
 
 
 PLAIN = {"pause": Edits.pause, "run": Edits.run_time, "undo": Edits.undo, "redo": Edits.redo}

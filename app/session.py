@@ -19,7 +19,8 @@ from ..level.framing import cameras, frame
 from ..level.objects import Camera
 from ..level.params import Section
 from . import script as words
-from .edits import Edits, imported_height
+from .edits import Edits
+from .imported import imported_height
 from .spill import FileStore
 
 if TYPE_CHECKING:

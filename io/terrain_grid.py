@@ -13,6 +13,7 @@ from pathlib import Path
 import numpy as np
 
 from ..level import BadInput
+from ..level.earth import degrees_to_metres
 from ..level.grid import MAX_SIDE
 
 NORTH, SOUTH = "north-first", "south-first"
@@ -164,14 +165,6 @@ def settle_cell(found: Found, path: Path, cell_m: tuple[float, float] | None) ->
     else:
         found.notes.append("the file doesn't say how large its cells are: 1 m is taken (--cell-m EASTxNORTH)")
     return 1.0, 1.0
-
-
-def degrees_to_metres(cell_deg: tuple[float, float], latitude: float) -> tuple[float, float]:
-    """Metres of an (east, north) step in degrees; WGS 84 series of Snyder, Map Projections (USGS PP 1395, 1987)."""
-    phi = math.radians(latitude)
-    north = 111132.92 - 559.82 * math.cos(2 * phi) + 1.175 * math.cos(4 * phi)
-    east = 111412.84 * math.cos(phi) - 93.5 * math.cos(3 * phi) + 0.118 * math.cos(5 * phi)
-    return cell_deg[0] * east, cell_deg[1] * north
 
 
 def _by(pair: tuple[float, float], sign: str = " × ") -> str:

@@ -5,8 +5,10 @@ import math
 import numpy as np
 import pytest
 from coasts import make_beach
+from shorewright.app.session import Session
 from shorewright.level import Grid, Level, Rect
 from shorewright.level.framing import cameras, find_shore, frame
+from shorewright.level.objects import Camera
 from shorewright.level.reshape import crop, crop_rect, resample, resize, resized_grid
 from shorewright.level.starter import sloping_beach
 
@@ -50,6 +52,15 @@ def test_cropping_moves_the_place_on_earth():
     assert crop(level, crop_rect(level.grid, 10.2, 20.7, 90, 80)) == (10, 20)
     assert level.georeference == {"easting": 1010.0, "northing": 5020.0, "crs": "EPSG:32604"}
     assert level.grid == Grid(61, 81, 1.0)
+
+
+def test_cropping_moves_latitude_and_longitude():
+    """Kilometres north of Perth: a minute of arc is 1848 m north and 1565 m east there."""
+    level = Level(Grid(100, 100, 100.0), np.zeros((100, 100), np.float32))
+    level.georeference = {"latitude": -32.0, "longitude": 115.5}
+    crop(level, crop_rect(level.grid, 1600, 1800, 5000, 5000))
+    assert level.georeference["latitude"] == pytest.approx(-32 + 1800 / 1848 / 60, abs=1e-5)
+    assert level.georeference["longitude"] == pytest.approx(115.5 + 1600 / 1575 / 60, abs=1e-4)
 
 
 @pytest.mark.parametrize("side", [33, 257, 513])
@@ -116,3 +127,13 @@ def test_framing_puts_a_point_into_the_middle():
     framed = frame(level, camera, (40.0, 90.0, 2.0))
     assert project(framed, (40.0, 90.0, 2.0)) == pytest.approx((0, 0), abs=1e-3)
     assert framed.yaw_deg == camera.yaw_deg
+
+
+def test_a_crop_tells_what_it_leaves_outside(tmp_path):
+    """A camera that saw the beach may see nothing now; one that stood outside before is as it was."""
+    with Session(make_beach(), spill_root=tmp_path) as session:
+        for name, x, y in (("in", 30, 30), ("out", 120, 90), ("far", 500, 500)):
+            session.place(Camera(id=name, x=x, y=y))
+        session.crop(20, 20, 80, 80)
+        assert session.notes == ["outside the level now, where they stood: out"]
+        assert (session.level.objects["in"].x, session.level.objects["out"].x) == (10, 100)
