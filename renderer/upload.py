@@ -97,35 +97,46 @@ class Uploader:
         return self.textures[sampler]
 
     def walkable(self, level: Level):
-        """Where the player can go, R8, one texel a sample."""
-        key = level.layer_revision("height"), level.settings.walk, level.sea_level_m
-        if self.seen.get("walkable") != key:
-            self._whole("u_walkable", walkable(level)[..., None].astype(np.uint8) * 255, "f1")
-            self.seen["walkable"] = key
+        """Where the player can go, R8, one texel a sample; after a stroke only round what it changed."""
+        key = level.layers["height"], level.settings.walk, level.sea_level_m
+        known, revision = self.seen.get("walkable", (None, 0))
+        fresh = self._refit("u_walkable", level.grid.shape, "f1") or known != key
+        for rect in [level.grid.rect] if fresh else level.changed_since("height", revision):
+            rect = level.grid.clip(rect.pad(1))  # slope looks at the neighbours
+            self._send("u_walkable", walkable(level, rect).astype(np.uint8) * 255, rect, "f1")
+        self.seen["walkable"] = key, level.revision
         return self.textures["u_walkable"]
 
     def _whole(self, name: str, values: np.ndarray, dtype: str) -> None:
         self._part(name, values, Rect(0, 0, *values.shape[:2]), dtype)
 
     def _part(self, name: str, values: np.ndarray, rect: Rect, dtype: str) -> None:
-        """Send `rect` of `values` `(rows, cols[, channels])`; a texture of another shape is made anew."""
-        rows, cols = values.shape[:2]
-        components = 1 if values.ndim == 2 else values.shape[2]
+        """Send `rect` of `values` `(rows, cols[, channels])`; a texture of another shape is sent whole."""
+        if self._refit(name, values.shape, dtype):
+            rect = Rect(0, 0, *values.shape[:2])
+        self._send(name, values[rect.slices], rect, dtype)
+
+    def _refit(self, name: str, shape: tuple[int, ...], dtype: str) -> bool:
+        """Make a texture fit `(rows, cols[, channels])`; True when it had to be made anew."""
+        size, components = (shape[1], shape[0]), shape[2] if len(shape) == 3 else 1
         texture = self.textures.get(name)
-        if texture is None or texture.size != (cols, rows) or texture.components != components:
-            if texture is not None:
-                texture.release()
-            texture = self.ctx.texture((cols, rows), components, dtype=dtype, alignment=1)
-            texture.filter = self.ctx.NEAREST, self.ctx.NEAREST
-            texture.repeat_x = texture.repeat_y = False
-            self.textures[name] = texture
-            rect = Rect(0, 0, rows, cols)
+        if texture is not None and texture.size == size and texture.components == components:
+            return False
+        if texture is not None:
+            texture.release()
+        texture = self.ctx.texture(size, components, dtype=dtype, alignment=1)
+        texture.filter = self.ctx.NEAREST, self.ctx.NEAREST
+        texture.repeat_x = texture.repeat_y = False
+        self.textures[name] = texture
+        return True
+
+    def _send(self, name: str, values: np.ndarray, rect: Rect, dtype: str) -> None:
+        """Send the samples of `rect` to a texture that fits."""
         if rect.empty:
             return
-        kinds = {"f4": np.float32, "f2": np.float16, "f1": np.uint8}
-        data = np.ascontiguousarray(values[rect.slices], kinds[dtype])
+        data = np.ascontiguousarray(values, {"f4": np.float32, "f2": np.float16, "f1": np.uint8}[dtype])
         size = rect.col1 - rect.col0, rect.row1 - rect.row0
-        texture.write(data.tobytes(), viewport=(rect.col0, rect.row0, *size), alignment=1)
+        self.textures[name].write(data.tobytes(), viewport=(rect.col0, rect.row0, *size), alignment=1)
         self.sent[name] += data.nbytes
 
     def release(self) -> None:

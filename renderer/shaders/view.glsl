@@ -43,7 +43,8 @@ void main() {
 #endif
 #ifdef WALKABLE
     ivec2 cell = clamp(ivec2(floor(below / u_cell_m + 0.5)), ivec2(0), textureSize(u_walkable, 0) - 1);
-    float walkable = texelFetch(u_walkable, cell, 0).r;
+    bool on_level = all(greaterThanEqual(below, vec2(0.0))) && all(lessThanEqual(below, u_extent_m));
+    float walkable = on_level ? texelFetch(u_walkable, cell, 0).r : 0.0;
 #endif
     vec3 value = VIEW_VALUE;
     out_value = vec4(s.material == NOTHING ? vec3(0.0) : value, 1.0);
