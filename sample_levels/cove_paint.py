@@ -106,8 +106,8 @@ def blots(level: Level, near: dict, x, y, seed: int) -> None:
 
 
 def sky(level: Level, seed: int) -> None:
-    """A field of fair cumulus out to sea, south-west of the level; the grid wraps and its corner is the level's."""
-    side, from_row, from_col = 96, -84, -80
+    """A field of fair cumulus over the cove and out to sea, south-west; the grid wraps and its corner is the level's."""
+    side, from_row, from_col = 96, -60, -56
     col, row = np.meshgrid(np.arange(side, dtype=float), np.arange(side, dtype=float))
     edge = smoothstep(
         48, 26, np.sqrt(np.square(row - 47.5) + np.square(col - 47.5)) + 9 * fbm(col, row, 40, 3, seed + 20)
