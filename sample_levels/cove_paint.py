@@ -106,7 +106,7 @@ def blots(level: Level, near: dict, x, y, seed: int) -> None:
 
 
 def sky(level: Level, seed: int) -> None:
-    """A field of fair cumulus over the cove and out to sea, south-west; the grid wraps and its corner is the level's."""
+    """Fair cumulus over the cove and out to sea, south-west; the grid wraps and its corner is the level's."""
     side, from_row, from_col = 96, -60, -56
     col, row = np.meshgrid(np.arange(side, dtype=float), np.arange(side, dtype=float))
     edge = smoothstep(
