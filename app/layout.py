@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from imgui_bundle import hello_imgui, imgui
 
-VERSION = 1  # another number forgets the layouts people saved, as after a change of PANELS
+VERSION = 2  # another number forgets the layouts people saved, as after a change of PANELS
 BRUSHES_PX = 80
 SIDE_PX = 326
 TIMELINE_PX = 46
@@ -38,6 +38,7 @@ PANELS: tuple[Panel, ...] = (
     Panel("Views", "side"),
     Panel("Layers", "side"),
     Panel("History", "side"),
+    Panel("Waves", "side"),
     Panel("Log", "side"),
 )
 

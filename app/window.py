@@ -14,7 +14,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import imgui_bundle
-from imgui_bundle import hello_imgui, imgui
+from imgui_bundle import hello_imgui, imgui, implot
 from pydantic import ValidationError
 
 from ..level import BadInput
@@ -24,6 +24,7 @@ from .editor import Editor
 from .guard import Guard
 from .palette import Palette
 from .panels import brush_bar, history_panel, layers_panel, log_panel, settings_panel, views_panel
+from .panels.waves_panel import WavesPanel
 from .picture import Picture
 from .preferences import Preferences, load
 from .session import Session
@@ -46,6 +47,7 @@ class Window:
         self.dialogs = Dialogs(self.editor)
         self.palette = Palette(self.editor)
         self.timeline = Timeline(self.editor)
+        self.waves = WavesPanel()
         self.picture: Picture | None = None
         self.viewport: Viewport | None = None
         self.drive = drive
@@ -56,6 +58,7 @@ class Window:
     def run(self) -> None:
         """Show the window until it is closed; the last session stays open. BadInput where there is no OpenGL 4.1."""
         self.editor.messages.attach()
+        plots = implot.create_context()
         try:
             hello_imgui.run(self.params)
         except BaseException as error:
@@ -66,6 +69,7 @@ class Window:
                 ) from error
             raise
         finally:
+            implot.destroy_context(plots)
             self.editor.messages.detach()
         if self.drive_error:
             raise self.drive_error
@@ -116,6 +120,7 @@ class Window:
             "Layers": lambda: layers_panel.draw(editor, self.picture.gpu_bytes() if self.picture else {}),
             "History": lambda: history_panel.draw(editor),
             "Views": lambda: views_panel.draw(editor),
+            "Waves": lambda: self.waves.draw(editor),
             "Log": lambda: log_panel.draw(editor),
         }
         return {name: self.guard.wrap(name, draw) for name, draw in draws.items()}

@@ -137,6 +137,14 @@ def test_panels_and_broken_code(drive):
     assert found["picture_healed"]
 
 
+def test_waves_panel_cuts_through_the_pointer(drive):
+    """D03, H28: A, B and A − B at this moment along a cut, without a fault in the log."""
+    found = drive("waves")
+    assert found["samples"] > 100
+    assert found["line"] > 0.9
+    assert found["bad"] == []
+
+
 def test_files_by_dialog(drive):
     """Save as, export and open by typed paths; what cannot be opened is told in the dialog."""
     original = ground(drive.path)

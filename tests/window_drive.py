@@ -266,6 +266,18 @@ def portrait(hands: Hands) -> None:
     hands.settle()
 
 
+def waves(hands: Hands) -> None:
+    """The clock's masks along a cut through the pointer (D03, H28); nothing in the panel broke."""
+    hands.session.pause()
+    hands.session.scrub(14.0)
+    hands.ctx.window_focus("//Waves")
+    hands.move((0.3, 0.55))
+    hands.settle()
+    cut = hands.window.waves.kept[1]
+    hands.note(line=float((cut.a - cut.b).max()), samples=len(cut.along_m))
+    hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
+
+
 def killed(hands: Hands) -> None:
     """The editor dies without a word after a stroke."""
     hands.session.keep_log()
