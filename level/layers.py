@@ -38,6 +38,9 @@ LAYERS: dict[str, Layer] = {
         Layer("river_mask", "River mask", ("mask",), "", "Where that water is."),
         Layer("river_foam", "River foam", ("stagnant", "turbulent"), "", "Painted foam on rivers."),
         Layer("cover", "Cover", ("sand", "rock", "grass", "always_wet"), "", "Ground painted over the rules."),
+        Layer(
+            "scatter", "Scatter", ("rocks", "driftwood", "grass"), "", "Things added to the rules, −1 none … 1 many."
+        ),
         Layer("puddle_keepout", "No puddles", ("mask",), "", "Where no puddle forms."),
         Layer("shelter", "Shelter", ("mask",), "", "Where no rain falls."),
         Layer("snow", "Snow", ("depth",), "", "Painted snow."),

@@ -25,6 +25,14 @@ class Sea(Section):
     chop_length_m: float = param(7.5, 1, 80, "m", "Wavelength of the high group.", soft=(3, 25))
     chop_speed: float = param(1.0, 0, 4, "×", "Speed of the high group against deep-water dispersion.", soft=(0.25, 2))
     chop_steepness: float = param(0.7, 0, 1, "", "How sharply the crests of the high group are drawn together.")
+    wind_mps: float = param(
+        5.0,
+        0,
+        40,
+        "m/s",
+        "Wind that roughens the water: how wide the sun's glitter is (Cox & Munk 1954).",
+        soft=(0, 20),
+    )
     variance: float = param(0.35, 0, 1, "", "How far single fronts leave their group's amplitude, length and heading.")
     deep_start_m: float = param(0.5, 0, 100, "m", "Depth at which the offshore waves begin.", soft=(0, 10))
     deep_full_m: float = param(9.0, 0.1, 400, "m", "Depth at which the offshore waves have their full height.")
@@ -73,12 +81,27 @@ class Water(Section):
 
 
 class Light(Section):
+    """Sun or moon, sky, exposure (L01 to L03). A preset of ENVIRONMENTS sets all of it at once."""
+
+    sun_from: Literal["angles", "date"] = param("angles", doc="Place the sun by two angles, or by date and place.")
     sun_azimuth_deg: float = param(235.0, 0, 360, "°", "Where the sun stands, clockwise from north.")
     sun_elevation_deg: float = param(38.0, -20, 90, "°", "How high the sun stands.", soft=(2, 80))
+    month: int = param(6, 1, 12, "", "Month of the date.")
+    day: int = param(21, 1, 31, "", "Day of the month.")
+    hour: float = param(15.0, 0, 24, "h", "Time of day on the place's clock.")
+    utc_offset_h: float = param(0.0, -14, 14, "h", "How far that clock is ahead of UTC.")
+    latitude_deg: float = param(50.4, -90, 90, "°", "Latitude of the place, north positive.")
+    longitude_deg: float = param(-5.0, -180, 180, "°", "Longitude of the place, east positive.")
+    body: Literal["sun", "moon"] = param("sun", doc="What shines: the sun, or the full moon in its place.")
     turbidity: float = param(2.6, 1, 10, "", "Haze in the air.", soft=(1.5, 8))
-    exposure_ev: float = param(13.8, -4, 22, "EV100", "Exposure.", soft=(8, 17))
+    cloud_cover: float = param(0.0, 0, 1, "", "Share of the sky that a layer of cloud covers.")
+    cloud_depth: float = param(
+        12.0, 0, 200, "", "Optical depth of that layer: 5 a bright veil, 60 a storm.", soft=(2, 80)
+    )
+    exposure_ev: float = param(13.8, -8, 22, "EV100", "Exposure.", soft=(-4, 17))
     display: Literal["agx", "aces", "neutral", "raw"] = param("agx", doc="Transform from scene light to the display.")
-    shadows: bool = param(True, doc="The sun casts shadows of the land.")
+    shadows: bool = param(True, doc="The sun casts shadows of land and props.")
+    bounce: float = param(1.0, 0, 1, "", "How much of the light that the land hides comes back from the land itself.")
 
 
 class Fog(Section):
@@ -88,9 +111,38 @@ class Fog(Section):
 
 
 class Ground(Section):
+    """What the ground is made of, by slope, height, curvature and distance to the water (L05)."""
+
     sand_top_m: float = param(3.2, -10, 500, "m", "Height above the sea up to which sand lies.", soft=(0, 20))
     rock_slope_deg: float = param(33.0, 1, 89, "°", "Slope from which rock shows.", soft=(15, 60))
     grass_slope_deg: float = param(27.0, 1, 89, "°", "Slope up to which grass grows.", soft=(10, 45))
+    shingle: float = param(0.35, 0, 1, "", "How much of the swash zone is pebbles.")
+    weed: float = param(0.5, 0, 1, "", "How much weed grows under water.")
+    macro: float = param(1.0, 0, 2, "", "Broad change of colour that keeps tiles from being seen.", soft=(0, 1.5))
+    detail: float = param(1.0, 0, 2, "", "Strength of the materials' relief in the light.", soft=(0, 1.5))
+    relief: float = param(1.0, 0, 3, "", "Height of the relief that near ground is given as geometry.", soft=(0, 2))
+
+
+class Wet(Section):
+    """The wet shore behind the waves (L06)."""
+
+    dry_s: float = param(45.0, 1, 3600, "s", "Time in which sand that the sheet left dries to a third.", soft=(5, 120))
+    film: float = param(1.0, 0, 1, "", "How clearly the film behind the sheet mirrors the sky.")
+    film_s: float = param(3.0, 0.1, 60, "s", "Time in which that film sinks into the sand.", soft=(0.5, 10))
+    lace: float = param(1.0, 0, 2, "", "Foam that the sheet leaves as lace at the line of its run-up.", soft=(0, 1.5))
+    splash_m: float = param(1.2, 0, 30, "m", "Height over the run-up that splash keeps rock dark.", soft=(0, 5))
+
+
+class Scatter(Section):
+    """Rocks, driftwood and grass tufts placed by rule; the scatter layer adds and takes away (L09)."""
+
+    on: bool = param(True, doc="Draw scattered things.")
+    rocks: float = param(0.5, 0, 4, "×", "How many rocks.", soft=(0, 2))
+    driftwood: float = param(0.5, 0, 4, "×", "How much driftwood lies at the tide line.", soft=(0, 2))
+    grass: float = param(0.7, 0, 4, "×", "How many grass tufts.", soft=(0, 2))
+    size: float = param(1.0, 0.1, 10, "×", "Size of scattered things.", soft=(0.5, 2))
+    sway: float = param(1.0, 0, 5, "×", "How far the wind moves the grass.", soft=(0, 2))
+    distance_m: float = param(160.0, 5, 5000, "m", "How far off the smallest things are still drawn.", soft=(30, 500))
 
 
 class Walk(Section):
@@ -118,5 +170,7 @@ class Settings(Section):
     light: Light = Light()
     fog: Fog = Fog()
     ground: Ground = Ground()
+    wet: Wet = Wet()
+    scatter: Scatter = Scatter()
     walk: Walk = Walk()
     time: Time = Time()

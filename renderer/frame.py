@@ -101,6 +101,7 @@ class Renderer:
 
     def __init__(self, ctx) -> None:
         from .program import Programs
+        from .sky_textures import SkyTextures
         from .textures import Textures
         from .upload import Uploader
 
@@ -108,6 +109,7 @@ class Renderer:
         self.programs = Programs(ctx)
         self.uploader = Uploader(ctx)
         self.generated = Textures(ctx)
+        self.sky = SkyTextures(ctx)
         self.targets: dict[tuple, object] = {}
         self.meshes: dict[int, object] = {}
         self.kept: dict[str, object] = {}  # what passes keep from frame to frame
@@ -156,12 +158,13 @@ class Renderer:
         shown = copy.copy(level)  # shares arrays and caches, has settings of its own
         shown.settings = show.settings(level.settings)
         self.uploader.sync(level)
-        self.generated.update(shown, row.mips_blended)
+        self.generated.update(row.mips_blended)
+        self.sky.update(shown)
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
         matrices = camera_matrices(camera, size, self._near(level, camera), tuple(offset))
         targets = self._targets(size, drawn)
-        textures = {**self.uploader.textures, **dict(self.generated.items()), **targets.textures}
+        textures = {**self.uploader.textures, **dict(self.generated.items()), **self.sky.textures, **targets.textures}
         frame = Frame(
             self, shown, camera, drawn, size, time_s, view, show, row, overlays or Overlays(), samples, matrices,
             targets, textures,
@@ -217,7 +220,13 @@ class Renderer:
     def release(self) -> None:
         """Give back everything on the GPU."""
         owners = (self.targets, self.meshes, self.kept.get("shadows", {}))
-        for thing in (self.programs, self.uploader, self.generated, *(t for held in owners for t in held.values())):
+        for thing in (
+            self.programs,
+            self.uploader,
+            self.generated,
+            self.sky,
+            *(t for held in owners for t in held.values()),
+        ):
             thing.release()
         self.kept.clear()
 

@@ -1,7 +1,7 @@
-"""Uploads the generated textures that `shaders/lib` samples: noise, ground, ripple, foam and the sky's table.
+"""Uploads the generated textures that `shaders/lib` samples: noise, ground, ripple, foam.
 
 textures = Textures(ctx)
-textures.update(level)              # once a frame: the sky follows the sun and the haze
+textures.update()                   # once a frame
 textures["u_noise"].use(location=3) # by sampler name
 """
 
@@ -10,21 +10,18 @@ from __future__ import annotations
 import moderngl
 import numpy as np
 
-from ..level import Level
 from ..level import textures as made
 from .cache import cached
-from .sky_table import sky_table
 
-SAMPLERS = ("u_noise", "u_ground", "u_ripple", "u_foam", "u_sky")
+SAMPLERS = ("u_noise", "u_ground", "u_ripple", "u_foam")
 DETAIL = ("u_ground", "u_foam")
 
 
 class Textures:
-    """Generated textures by sampler name; made once a context, the sky's whenever the sun or the haze changes."""
+    """Generated textures by sampler name; made once a context."""
 
     def __init__(self, ctx: moderngl.Context) -> None:
         self.ctx = ctx
-        self._sky_key: tuple | None = None
         self._by_name = {
             "u_noise": _tiling(ctx, _kept("noise", made.noise_texture)),
             "u_foam": _tiling(ctx, _kept("foam", made.foam_texture)),
@@ -41,24 +38,12 @@ class Textures:
         """(sampler name, texture) of all."""
         return self._by_name.items()
 
-    def update(self, level: Level, blended: bool = True) -> None:
-        """Make the sky's table follow the level's light settings; `blended` between mip levels, or the nearest one."""
+    def update(self, blended: bool = True) -> None:
+        """Choose how detail is filtered: `blended` between mip levels, or the nearest one."""
         for name in DETAIL:
             filters = moderngl.LINEAR_MIPMAP_LINEAR if blended else moderngl.LINEAR_MIPMAP_NEAREST, moderngl.LINEAR
             if self._by_name[name].filter != filters:
                 self._by_name[name].filter = filters
-        light = level.settings.light
-        key = (light.sun_elevation_deg, light.turbidity)
-        if key == self._sky_key:
-            return
-        self._sky_key = key
-        if "u_sky" in self._by_name:
-            self._by_name["u_sky"].release()
-        table = np.ascontiguousarray(sky_table(*key).astype(np.float16))
-        sky = self.ctx.texture((table.shape[1], table.shape[0]), 3, table.tobytes(), dtype="f2", alignment=2)
-        sky.repeat_x = sky.repeat_y = False
-        _mipmapped(sky)
-        self._by_name["u_sky"] = sky
 
     def release(self) -> None:
         for texture in self._by_name.values():

@@ -12,9 +12,9 @@ from .. import param_widgets
 from ..editor import Editor
 
 OPEN = ("shore", "sea")
-ORDER = ("shore", "sea", "water", "light", "fog", "ground", "walk", "time", "level")  # what is turned most comes first
-TITLES = {"sea": "Open sea", "shore": "Shore waves", "water": "Water colour", "fog": "Haze", "walk": "Walkable",
-          "level": "Sea level and seed"}  # fmt: skip
+ORDER = ("shore", "sea", "water", "light", "fog", "ground", "wet", "scatter", "walk", "time", "level")  # most turned first
+TITLES = {"sea": "Open sea", "shore": "Shore waves", "water": "Water colour", "fog": "Haze", "wet": "Wet shore",
+          "walk": "Walkable", "level": "Sea level and seed"}  # fmt: skip
 _filter = {"text": ""}
 
 
