@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ..level import LAYERS
+from ..renderer import VIEWS
 from .editor import Editor
 from .governor import Governor
 
@@ -17,6 +18,9 @@ STILL_STEP = 2.0  # it grows by this much a time, so that something sharper is s
 LONGEST_STILL_S = 6.0  # and no larger than what should take this long
 WIDGETS_FIRST = 2  # frames with widgets only: the first picture waits for its shaders
 RETRY_S = 3.0  # after a failure
+REFINED = 16  # samples a pixel that a picture which stands still gathers in the end (L04)
+FIRST_GATHERED = 4  # of them at once: fewer would show coarser edges than the smoothed picture before
+LONGEST_SAMPLE_S = 0.35  # where one takes longer the smoothed picture is left as it is
 STILLS = {"low": "medium"}  # tiers that are there for speed draw what stands still as another
 
 
@@ -28,6 +32,7 @@ class Drawn:
     size: tuple[int, int]
     seconds: float  # what drawing it cost
     quality: str
+    samples: int = 1
 
 
 class Picture:
@@ -46,6 +51,7 @@ class Picture:
         self._failed_at = -1e9
         self._changed_at = 0.0
         self._unfinished = False
+        self._refining = False
 
     def show(self, editor: Editor, size: tuple[int, int]) -> Any:
         """The texture for a viewport of `size` pixels (its first row at the bottom), None before the first success."""
@@ -61,14 +67,24 @@ class Picture:
             still = self._sharper(size)
             if still:
                 self._draw(editor, key, still, moving=False)
+        elif self._gathering(editor, size) and now - self._changed_at > SETTLE_S and not editor.live:
+            had = self.drawn.samples if self.drawn.samples > 1 else 0
+            self._draw(editor, key, size, moving=False, part=range(had, max(had + 1, FIRST_GATHERED)))
+        self._refining = self._gathering(editor, size)
         return self.texture
+
+    def _gathering(self, editor: Editor, size: tuple[int, int]) -> bool:
+        """Whether a picture that stands still gets more samples a pixel: at full size, where that is quick."""
+        if self.drawn is None or not self._settled(editor, size) or self.drawn.samples >= REFINED:
+            return False
+        return self.drawn.seconds < LONGEST_SAMPLE_S and not VIEWS[editor.session.view].value
 
     @property
     def waiting(self) -> bool:
         """Whether a first or a sharper picture is due although nothing changes."""
         if self.drawn is None:
             return not self.failure
-        return self._unfinished or self._changed_at + SETTLE_S * 2 > time.monotonic()
+        return self._unfinished or self._refining or self._changed_at + SETTLE_S * 2 > time.monotonic()
 
     def _settled(self, editor: Editor, size: tuple[int, int]) -> bool:
         """Whether what is shown is what a picture that stands still becomes in the end."""
@@ -91,7 +107,9 @@ class Picture:
         self._unfinished = self.drawn.seconds * growth <= LONGEST_STILL_S
         return self._scaled(size, scale if scale < 0.9 else 1.0) if self._unfinished else None
 
-    def _draw(self, editor: Editor, key: Any, size: tuple[int, int], moving: bool) -> None:
+    def _draw(
+        self, editor: Editor, key: Any, size: tuple[int, int], moving: bool, part: range | None = None
+    ) -> None:  # fmt: skip
         if self.failure and time.monotonic() - self._failed_at < RETRY_S:
             return
         session = editor.session
@@ -101,6 +119,7 @@ class Picture:
             self.texture = self._renderer().draw(
                 session.level, session.camera, size, session.clock.time_s, session.view,
                 show=session.show, quality=quality, overlays=editor.overlays,
+                samples=REFINED if part else 1, part=part,
                 scale=1.0,  # the governor has chosen the pixels: the tier's own scale would lower them twice
             )  # fmt: skip
             self.ctx.finish()
@@ -115,7 +134,7 @@ class Picture:
             self._note(size, seconds)
         smooth = self.ctx.LINEAR if size != self._pixels(key) else self.ctx.NEAREST
         self.texture.filter = smooth, smooth
-        self.drawn = Drawn(key, size, seconds, quality)
+        self.drawn = Drawn(key, size, seconds / len(part or (0,)), quality, part.stop if part else 1)
         self._unfinished = not self._settled(editor, self._pixels(key))
         self.draws += 1
 

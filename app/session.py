@@ -18,6 +18,7 @@ from ..level import BadInput, Clock, Grid, Journal, Level
 from ..level.framing import cameras, frame
 from ..level.objects import Camera
 from ..level.params import Section
+from ..level.sun import stand_at
 from . import script as words
 from .edits import Edits
 from .imported import imported_height
@@ -78,6 +79,7 @@ class Session(Edits):
         """A new level from a height map; `flags` as `io.import_height` takes them, BadInput names the one missing."""
         found = imported_height(path, flags)
         session = cls.new(Grid(*found.height.shape, found.cell_m), found.height, dict(found.georeference or {}))
+        session.level.set_settings(stand_at(session.level.settings, session.level.georeference))
         if sea_level_m:
             session.level.set("level.sea_level_m", sea_level_m)
         if samples:

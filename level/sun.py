@@ -8,7 +8,8 @@ from __future__ import annotations
 
 import math
 
-from .settings import Light
+from .params import replace
+from .settings import Light, Settings
 
 YEAR = 2025  # dates carry no year: from one to the next the sun moves by less than half its width
 DAYS = (31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
@@ -59,6 +60,18 @@ def _horizontal(hour_angle: float, declination: float, latitude: float) -> tuple
     up = math.sin(declination) * math.sin(latitude)
     up += math.cos(declination) * math.cos(hour_angle) * math.cos(latitude)
     return math.degrees(math.atan2(east, north)) % 360, math.degrees(math.asin(max(min(up, 1.0), -1.0)))
+
+
+def stand_at(settings: Settings, georeference: dict) -> Settings:
+    """Settings whose place is that of a georeference, its clock that of the nearest hour's meridian."""
+    latitude, longitude = georeference.get("latitude"), georeference.get("longitude")
+    if not all(isinstance(v, int | float) and math.isfinite(v) for v in (latitude, longitude)) or abs(latitude) > 90:
+        return settings
+    longitude = (longitude + 180) % 360 - 180
+    place = {"latitude_deg": latitude, "longitude_deg": longitude, "utc_offset_h": round(longitude / 15)}
+    for name, value in place.items():
+        settings = replace(settings, f"light.{name}", float(value))
+    return settings
 
 
 def light_angles(light: Light) -> tuple[float, float]:

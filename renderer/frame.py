@@ -121,23 +121,25 @@ class Renderer:
     def draw(
         self, level: Level, camera: Camera, size: tuple[int, int], time_s: float = 0.0, view: str = "final",
         show: Show | None = None, quality: str = "medium", samples: int = 1, overlays: Overlays | None = None,
-        scale: float | None = None,
+        scale: float | None = None, part: range | None = None,
     ):  # fmt: skip
         """Draw a picture; returns the texture to show, RGBA8 `size`, its first row at the bottom.
 
-        `samples` > 1 averages that many pictures, each moved by a part of a pixel, in linear light. `scale` is the
-        share of the sides that is drawn before a filter fills them, None the tier's; views of numbers are never scaled.
+        `samples` > 1 averages that many pictures, each moved by a part of a pixel, in linear light; with `part` only
+        these of them now, over those drawn by calls before. `scale` is the share of the sides that is drawn before a
+        filter fills them, None the tier's; views of numbers are never scaled.
         """
         row = find_view(view)
         scale = 1.0 if row.value else tier(quality).scale if scale is None else scale
-        for index in range(max(samples, 1)):
+        part = range(max(samples, 1)) if part is None else part
+        for index in part:
             frame = self.prepare(level, camera, size, time_s, row, show, quality, overlays, samples, index, scale)
             targets = frame.targets
             self._run(frame, once=False)
             if samples > 1:
                 self._accumulate(targets, index)
         if samples > 1:
-            self._mean(targets, samples)
+            self._mean(targets, part.stop)
         self._run(frame, once=True)
         self.stats = frame.stats
         self.unit = self.sky.light.unit if row.ramp == "light" or not row.value else 1.0

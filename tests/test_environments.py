@@ -6,12 +6,19 @@ from scenes import camera, coast
 from shorewright.level import BadInput, Settings
 from shorewright.level.environments import ENVIRONMENTS, TOUCHED, environment_of, environment_settings
 from shorewright.level.params import get, replace
-from shorewright.level.sun import light_angles, sun_angles
-from shorewright.renderer import sky_light, sky_table
+from shorewright.level.sun import light_angles, stand_at, sun_angles
+from shorewright.renderer import Renderer, Show, render, sky_light, sky_table
 from shorewright.renderer.look import white_balance
 
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 SMALL = (96, 54)
+
+
+@pytest.fixture(scope="module")
+def renderer(ctx):
+    made = Renderer(ctx)
+    yield made
+    made.release()
 
 
 def angle_between(a, b) -> float:
@@ -54,6 +61,15 @@ def test_the_clock_or_two_angles():
     by_date = replace(settings, "light.sun_from", "date")
     assert light_angles(by_date.light) == light_angles(replace(by_date, "light.sun_elevation_deg", 3.0).light)
     assert light_angles(by_date.light) != light_angles(replace(by_date, "light.hour", 10.0).light)
+
+
+def test_a_georeference_places_the_sun():
+    """L02: what an import knows of its place on Earth is where the sun by date stands; what it doesn't know stays."""
+    settings = stand_at(Settings(), {"latitude": 21.4, "longitude": -157.8})
+    assert (settings.light.latitude_deg, settings.light.longitude_deg) == (21.4, pytest.approx(-157.8))
+    assert settings.light.utc_offset_h == -11
+    assert stand_at(Settings(), {"easting": 3.0}) == Settings()
+    assert stand_at(Settings(), {"latitude": 210.0, "longitude": 3.0}) == Settings()
 
 
 @pytest.mark.parametrize("name", ENVIRONMENTS)
@@ -130,41 +146,35 @@ def test_white_balance_turns_warm_light_white():
 
 @pytest.mark.gl
 @pytest.mark.parametrize("name", ENVIRONMENTS)
-def test_environments_give_a_picture(ctx, name):
+def test_environments_give_a_picture(renderer, name):
     """L02: no black frame, none burnt out: the middle of the picture's range is in use."""
-    from shorewright.renderer.offscreen import render
-
     level = coast()
     level.set_settings(environment_settings(level.settings, name))
-    seen = render(level, camera(pitch=-12.0), SMALL, 12.0) @ LUMINANCE
+    seen = render(level, camera(pitch=-12.0), SMALL, 12.0, renderer=renderer) @ LUMINANCE
     assert 35 < seen.mean() < 225
     assert seen.std() > 4
-    linear = render(level, camera(pitch=-12.0), SMALL, 12.0, linear=True)
+    linear = render(level, camera(pitch=-12.0), SMALL, 12.0, linear=True, renderer=renderer)
     assert np.isfinite(linear).all()
 
 
 @pytest.mark.gl
-def test_white_world_is_white(ctx):
+def test_white_world_is_white(renderer):
     """L01: white land under even light is flat 1 within a hundredth, in every tier, from near and far."""
-    from shorewright.renderer.offscreen import render
-
     level = coast(slope=0.4, rock=9.0)
     for quality in ("low", "medium", "high"):
         for place in (camera(), camera(z=140.0, pitch=-60.0)):
-            seen = render(level, place, SMALL, 3.0, "furnace", quality=quality, linear=True)
+            seen = render(level, place, SMALL, 3.0, "furnace", quality=quality, linear=True, renderer=renderer)
             land = seen.max(axis=-1) > 0
             assert land.mean() > 0.5
             assert seen[land] == pytest.approx(1, abs=0.01)
 
 
 @pytest.mark.gl
-def test_furnace_can_fail(ctx):
+def test_furnace_can_fail(renderer):
     """L01: the same view without the light that land gives back is darker where land hides the sky."""
-    from shorewright.renderer.offscreen import render
-
     level = coast(slope=0.4, rock=9.0)
     level.set("light.bounce", 0.0)
-    seen = render(level, camera(), SMALL, 3.0, "furnace", linear=True)
+    seen = render(level, camera(), SMALL, 3.0, "furnace", linear=True, renderer=renderer)
     assert seen[seen.max(axis=-1) > 0].min() < 0.97
 
 
@@ -177,14 +187,14 @@ def _grey_patch(seen: np.ndarray) -> np.ndarray:
 
 
 @pytest.mark.gl
-def test_grey_card_reads_the_same_in_every_tier(ctx):
+def test_grey_card_reads_the_same_in_every_tier(renderer):
     """L01, L08: under noon the grey patch gives the same light in all tiers within 2 %, that of albedo 0.195."""
-    from shorewright.renderer.offscreen import render
-
     level = coast()
     level.set_settings(environment_settings(level.settings, "noon"))
     greys = [
-        _grey_patch(render(level, camera(), (192, 108), 5.0, "lookdev", quality=quality, linear=True))
+        _grey_patch(
+            render(level, camera(), (192, 108), 5.0, "lookdev", quality=quality, linear=True, renderer=renderer)
+        )
         for quality in ("low", "medium", "high")
     ]
     for grey in greys[1:]:
@@ -197,38 +207,34 @@ def test_grey_card_reads_the_same_in_every_tier(ctx):
 
 @pytest.mark.gl
 @pytest.mark.parametrize("name", ["noon", "moonlit"])
-def test_linear_pictures_know_no_exposure(ctx, name):
+def test_linear_pictures_know_no_exposure(renderer, name):
     """L01: EXR is radiance, whatever exposure, curve and white balance are; the picture on the screen is not."""
-    from shorewright.renderer.offscreen import render
-
     level = coast()
     level.set_settings(environment_settings(level.settings, name))
-    linear, shown = (render(level, camera(), SMALL, 5.0, linear=flag) for flag in (True, False))
+    linear, shown = (render(level, camera(), SMALL, 5.0, linear=flag, renderer=renderer) for flag in (True, False))
     for path, value in (
         ("exposure_ev", level.settings.light.exposure_ev + 2),
         ("display", "neutral"),
         ("white_k", 8000),
     ):
         level.set(f"light.{path}", value)
-    assert (render(level, camera(), SMALL, 5.0, linear=True) == linear).all()
-    assert (render(level, camera(), SMALL, 5.0) != shown).any()
+    assert (render(level, camera(), SMALL, 5.0, linear=True, renderer=renderer) == linear).all()
+    assert (render(level, camera(), SMALL, 5.0, renderer=renderer) != shown).any()
     sun = {"noon": 95, "moonlit": 2.4e-4}[name]
     assert linear.max() < 50 * sun
     assert 0.005 * sun < linear.mean() < 0.3 * sun
 
 
 @pytest.mark.gl
-def test_the_chrome_ball_shows_the_sky_and_the_grey_one_its_light(ctx):
+def test_the_chrome_ball_shows_the_sky_and_the_grey_one_its_light(renderer):
     """L02, L08: the chrome ball's middle mirrors what stands behind the camera, the lobes are the table's radiance."""
-    from shorewright.renderer.offscreen import render
-
     level = coast()
     level.set_settings(environment_settings(level.settings, "noon"))
     level.set("light.turbidity", 2.0)
-    from shorewright.renderer.show import Show
-
     place = camera(pitch=0.0, yaw=205.0 - 90.0)
-    seen = render(level, place, (320, 180), 5.0, "lookdev", show=Show.hide("clouds,shadows"), linear=True)
+    seen = render(
+        level, place, (320, 180), 5.0, "lookdev", show=Show.hide("clouds,shadows"), linear=True, renderer=renderer
+    )
     # up the ball by half its radius the ray leaves 60° over the horizon
     col, row = int(160 - 0.18 * 90), int(90 + 0.72 * 90 - 0.5 * 0.17 * 90)
     table = sky_light.sky_light(level.settings).table

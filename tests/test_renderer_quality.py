@@ -95,3 +95,14 @@ def test_samples_of_a_small_picture_stay_in_place(renderer):
     )
     blocks = [shot.reshape(9, 10, 16, 10, 3).mean(axis=(1, 3)) for shot in (one, many)]
     assert np.abs(blocks[0] - blocks[1]).mean() < 3
+
+
+def test_samples_may_be_gathered_in_parts(renderer):
+    """L04: a still picture that gathers its samples over several frames ends as the one drawn with all at once."""
+    level = coast(rock=4.0)
+    whole = render(level, camera(), SIZE, 3.0, samples=6, renderer=renderer)
+    one = render(level, camera(), SIZE, 3.0, renderer=renderer)
+    for part in (range(0, 4), range(4, 5), range(5, 6)):
+        renderer.draw(level, camera(), SIZE, 3.0, samples=6, part=part)
+    assert (renderer.read() == whole).all()
+    assert (one != whole).any()

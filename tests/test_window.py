@@ -146,6 +146,7 @@ def test_environments_by_button_and_menu(drive):
     assert found["steps_then"] == 2
     assert found["picture"] == ""
     assert found["undone"]
+    assert found["samples"] == 16  # L04: a picture that stands still gathers samples
 
 
 def test_waves_panel_cuts_through_the_pointer(drive):
