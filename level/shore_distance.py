@@ -130,7 +130,7 @@ def _to_segments(depth: np.ndarray, sea: np.ndarray) -> np.ndarray:
 
 
 def _segments(depth: np.ndarray, sea: np.ndarray):
-    """Rounds of (row, column, ends x, y, x, y within the quad): marching squares, saddles as the bilinear bed has them."""
+    """Rounds of (row, column, ends x, y, x, y within the quad): marching squares, saddles as a bilinear bed has."""
     corners = sea[:-1, :-1].astype(np.int8) + sea[:-1, 1:] + sea[1:, :-1] + sea[1:, 1:]
     row, col = np.nonzero((corners > 0) & (corners < 4))
     at = [(row, col), (row, col + 1), (row + 1, col), (row + 1, col + 1)]

@@ -1,9 +1,9 @@
-"""The shore map that foam, flow and the sheet of water read (H10, H11): distance, direction, beach; one texel each 0.5 m.
+"""The shore map for foam, flow and the sheet of water (H10, H11): distance, direction, beach; a texel each 0.5 m.
 
 Cached by revision, never saved. A distance counts up to `shore.distance_range_m` and no farther, so a change reaches
-no farther either: only the window round it is worked out again, and has the very bits that the whole map would have. This holds
-for the float copy because it is clamped to that range too. What joins water to the sea may change far away: the sea
-mask is made anew wherever ground rises out of the water or sinks into it, and what differs is a change as well.
+no farther either: only the window round it is worked out again, and it has the very bits of the whole map. The float
+copy is clamped to that range too, so that this holds for it as well. What joins water to the sea may change far away:
+the sea mask is made anew whenever ground rises out of the water or sinks into it, and what differs is a change too.
 """
 
 from __future__ import annotations

@@ -16,9 +16,9 @@ from .bounds import HeightBounds
 
 
 class Uploader:
-    """`textures` by sampler name (`u_height`, `u_bed`, `u_variety`, `u_layer_NAME`, `u_walkable`, `u_shore_field`), `bytes` sent.
+    """`textures` by sampler name, `bytes` sent, `sent` by name.
 
-    `sent` has the bytes by name.
+    Names are `u_height`, `u_bed`, `u_variety`, and when asked for `u_layer_NAME`, `u_walkable`, `u_shore_field`.
     """
 
     def __init__(self, ctx) -> None:
@@ -109,7 +109,7 @@ class Uploader:
         return self.textures["u_walkable"]
 
     def shore_field(self, level: Level):
-        """Distance to the shore, direction and beach (H10, H11), RGBA8 with linear filter; only what changed is sent."""
+        """Distance, direction, beach (H10, H11), RGBA8 with a linear filter; only what changed is sent."""
         field = shore_field(level)
         known, revision = self.seen.get("shore_field", (None, 0))
         fresh = known is not field

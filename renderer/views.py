@@ -2,9 +2,9 @@
 
 A row's `value` is a GLSL expression (vec3) over what shaders/view.glsl lays out for each pixel:
 `s` the G-buffer, `position` in the world, `sea` the wave function there, `bed`, `ground` (height, slope east, slope
-north), `on_sea`, `shore_field` (packed, see lib/shore_field.glsl). `ramp` says how numbers become colours: `light` through the display transform, `colour` linear colour,
-`direct` as it is, `grey` from `low` to `high`, `signed` blue below zero and red above, `normal`, `metres` bands of xyz.
-EXR output holds the numbers themselves.
+north), `on_sea`, `shore_field` (packed, see lib/shore_field.glsl). `ramp` says how numbers become colours: `light`
+through the display transform, `colour` linear colour, `direct` as it is, `grey` from `low` to `high`, `signed` blue
+below zero and red above, `normal`, `metres` bands of xyz. EXR output holds the numbers themselves.
 """
 
 from __future__ import annotations
