@@ -32,6 +32,7 @@ VERBS: dict[str, str] = {
     "brushes": "tables:brushes",
     "layers": "tables:layers",
     "settings": "tables:settings",
+    "environments": "tables:environments",
     "bench": "benches:bench",
 }
 

@@ -12,6 +12,7 @@ import numpy as np
 
 from .level import Level
 from .objects import Camera
+from .sun import light_angles
 
 COARSE = 257  # samples a side that are looked at
 ASPECT = 16 / 9
@@ -111,7 +112,7 @@ def frame(level: Level, camera: Camera, target=None) -> Camera:
 
 def _play(level: Level, shore: Shore) -> Camera:
     """Three quarters from above: the shore runs diagonally, the sun stands beyond so that the water glints (D40)."""
-    sun = level.settings.light.sun_azimuth_deg
+    sun = light_angles(level.settings.light)[0]
     turns = [shore.seaward_deg + turn for turn in (-45, 45, 135, 225)]
     yaw = max(turns, key=lambda turn: math.cos(math.radians(turn - sun)))
     wide = min(max(0.2 * min(level.grid.extent_m), 12.0), 110.0)

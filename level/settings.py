@@ -95,13 +95,16 @@ class Light(Section):
     utc_offset_h: float = param(0.0, -14, 14, "h", "How far that clock is ahead of UTC.")
     latitude_deg: float = param(50.4, -90, 90, "°", "Latitude of the place, north positive.")
     longitude_deg: float = param(-5.0, -180, 180, "°", "Longitude of the place, east positive.")
-    body: Literal["sun", "moon"] = param("sun", doc="What shines: the sun, or the full moon in its place.")
+    body: Literal["sun", "moon", "even"] = param(
+        "sun", doc="What shines: the sun, the full moon in its place, or even white light from all sides."
+    )
     turbidity: float = param(2.6, 1, 10, "", "Haze in the air.", soft=(1.5, 8))
     cloud_cover: float = param(0.0, 0, 1, "", "Share of the sky that a layer of cloud covers.")
     cloud_depth: float = param(
         12.0, 0, 200, "", "Optical depth of that layer: 5 a bright veil, 60 a storm.", soft=(2, 80)
     )
     exposure_ev: float = param(13.8, -8, 22, "EV100", "Exposure.", soft=(-4, 17))
+    white_k: float = param(5600, 1500, 20_000, "K", "Colour temperature that shows as white.", soft=(3000, 9000))
     display: Literal["agx", "aces", "neutral", "raw"] = param("agx", doc="Transform from scene light to the display.")
     shadows: bool = param(True, doc="The sun casts shadows of land and props.")
     bounce: float = param(1.0, 0, 1, "", "How much of the light that the land hides comes back from the land itself.")

@@ -36,15 +36,17 @@ GBUFFER = ("g_albedo", "g_normal", "g_material", "g_emissive", "g_eye_depth", "g
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
 PASSES: tuple[Pass, ...] = (
+    Pass("lobes", ("lobes.glsl",), ("u_sky",), ("u_lobes",), "The sky as things mirror it, kept.", "L02"),
     Pass("shadow", ("shadow.glsl",), ("u_height",), ("u_shadow",),
          "Height of the land's shadow, kept while nothing changes."),
     Pass("terrain", ("terrain.glsl",), ("u_height", "u_layer_cover"), GBUFFER, "Land into the G-buffer.", "D01"),
     Pass("under", (), GBUFFER, UNDER, "Copies what lies under the water.", "D02"),
     Pass("sea", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea into it.", "D01 D10 H05"),
     Pass("horizon", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea beyond the mesh.", "H21"),
-    Pass("light", ("light.glsl",), (*GBUFFER, "u_shadow"), ("hdr",), "Lights land and water, once.", "D01"),
+    Pass("lookdev", ("lookdev.glsl",), (), GBUFFER, "In its view: balls and a card.", "L08"),
+    Pass("light", ("light.glsl",), (*GBUFFER, "u_shadow", "u_lobes"), ("hdr",), "Lights all of it, once.", "D01"),
     Pass("sky", ("sky.glsl",), ("g_eye_depth",), ("hdr",), "Sky where nothing was drawn."),
-    Pass("fog", ("fog.glsl",), ("hdr", "g_eye_depth"), ("picture",), "Haze over distance.", "D38"),
+    Pass("fog", ("fog.glsl",), ("hdr", "g_eye_depth", "u_aerial"), ("picture",), "Air, haze.", "L02 D38"),
     Pass("view", ("view.glsl",), (*GBUFFER, "hdr"), ("picture",), "Instead of it: a buffer or a mask.", "T11"),
     Pass("display", ("display.glsl",), ("picture",), ("shown", "display"), "Exposure, curve, sRGB, dither.", once=True),
     Pass("antialias", ("antialias.glsl",), ("shown",), ("display",), "Smooths single frames.", once=True),
@@ -114,6 +116,7 @@ class Renderer:
         self.meshes: dict[int, object] = {}
         self.kept: dict[str, object] = {}  # what passes keep from frame to frame
         self.stats: dict = {}
+        self.unit = 1.0  # of the light in the picture last drawn (sky_light.py)
 
     def draw(
         self, level: Level, camera: Camera, size: tuple[int, int], time_s: float = 0.0, view: str = "final",
@@ -137,6 +140,7 @@ class Renderer:
             self._mean(targets, samples)
         self._run(frame, once=True)
         self.stats = frame.stats
+        self.unit = self.sky.light.unit if row.ramp == "light" or not row.value else 1.0
         return targets.textures["display"]
 
     def read(self, linear: bool = False) -> np.ndarray:
@@ -145,7 +149,8 @@ class Renderer:
         framebuffer, kind, dtype = (targets.picture, np.float32, "f4") if linear else (targets.display, np.uint8, "f1")
         data = framebuffer.read(components=3, dtype=dtype, alignment=1)
         width, height = framebuffer.size
-        return np.frombuffer(data, kind).reshape(height, width, 3)[::-1].copy()
+        pixels = np.frombuffer(data, kind).reshape(height, width, 3)[::-1]
+        return pixels / np.float32(self.unit) if linear else pixels.copy()
 
     def prepare(
         self, level: Level, camera: Camera, size, time_s: float, view: View, show: Show | None, quality: str,
@@ -156,7 +161,7 @@ class Renderer:
 
         show, row = show or Show(), tier(quality)
         shown = copy.copy(level)  # shares arrays and caches, has settings of its own
-        shown.settings = show.settings(level.settings)
+        shown.settings = view.changed(show.settings(level.settings))
         self.uploader.sync(level)
         self.generated.update(row.mips_blended)
         self.sky.update(shown)
@@ -220,13 +225,9 @@ class Renderer:
     def release(self) -> None:
         """Give back everything on the GPU."""
         owners = (self.targets, self.meshes, self.kept.get("shadows", {}))
-        for thing in (
-            self.programs,
-            self.uploader,
-            self.generated,
-            self.sky,
-            *(t for held in owners for t in held.values()),
-        ):
+        kept = [thing for thing in self.kept.values() if hasattr(thing, "release")]
+        parts = (self.programs, self.uploader, self.generated, self.sky, *kept)
+        for thing in (*parts, *(t for held in owners for t in held.values())):
             thing.release()
         self.kept.clear()
 

@@ -7,11 +7,13 @@ import math
 import numpy as np
 
 from ..level import Settings
-from .sky_table import sky_harmonics, sun_illuminance
+from ..level.sun import light_angles
+from .sky_light import sky_light
 
 DISPLAYS = ("agx", "aces", "neutral", "raw")
 GRAVITY = 9.81
 FOAM_PERIOD_S = 5.0
+STAR_LIGHT = 0.0015  # kcd/m² of the brightest stars, spread over 1.4 minutes of arc
 # tile in metres, turn from the wind in degrees, share of the slope's variance
 RIPPLES = ((17.0, -24.0, 0.40), (6.1, 31.0, 0.33), (2.3, -7.0, 0.27))
 
@@ -26,6 +28,31 @@ def sun_direction(azimuth_deg: float, elevation_deg: float) -> np.ndarray:
 def exposure_scale(ev100: float) -> float:
     """Factor on radiance in kcd/m², the same as `lib/display.glsl`'s."""
     return 1000.0 / (1.2 * 2.0**ev100)
+
+
+def white_balance(kelvin: float) -> np.ndarray:
+    """Gains `(3,)` on linear Rec. 709 that show light of this colour temperature as white, 1 at 5600 K."""
+    gains = _planck(5600) / _planck(kelvin)
+    return gains / gains[1]
+
+
+def _planck(kelvin: float) -> np.ndarray:
+    """Colour of a black body at the wavelengths of the primaries, `(3,)`; relative (Planck's law)."""
+    metres = np.array([611e-9, 549e-9, 464e-9])  # centroids of Rec. 709 red, green, blue
+    return 1 / (metres**5 * np.expm1(0.0143877688 / (metres * kelvin)))
+
+
+def _sky(sky) -> dict:
+    """Uniform vectors of a SkyLight, by name without `u_`."""
+    return {
+        "sun_illuminance": sky.sun,
+        "sun_disc": sky.disc,
+        "sky_sh": sky.harmonics,
+        "deck": sky.deck,
+        "air": sky.air,
+        "air_haze": sky.haze,
+        "fog_radiance": sky.fog,
+    }
 
 
 def _ripples(settings: Settings, time_s: float) -> dict:
@@ -57,14 +84,16 @@ def _foam(settings: Settings, time_s: float) -> dict:
 def look_uniforms(settings: Settings, time_s: float) -> dict[str, float | np.ndarray]:
     """Every `u_…` of `shaders/lib/*.glsl` but samplers, at `time_s` seconds."""
     light, fog, water, ground = (getattr(settings, name) for name in ("light", "fog", "water", "ground"))
+    sky = sky_light(settings)
     return {
-        "u_sun_direction": sun_direction(light.sun_azimuth_deg, light.sun_elevation_deg).astype(np.float32),
-        "u_sun_illuminance": sun_illuminance(light.sun_elevation_deg, light.turbidity).astype(np.float32),
-        "u_sky_sh": sky_harmonics(light.sun_elevation_deg, light.turbidity).astype(np.float32),
-        "u_turbidity": light.turbidity,
-        "u_exposure": exposure_scale(light.exposure_ev),
+        "u_sun_direction": sun_direction(*light_angles(light)).astype(np.float32),
+        **{f"u_{name}": value.astype(np.float32) for name, value in _sky(sky).items()},
+        "u_fog_share": sky.fog_share,
+        "u_star_light": STAR_LIGHT * sky.unit if sky.unit > 1 else 0.0,
+        "u_exposure": exposure_scale(light.exposure_ev) / sky.unit,
+        "u_white": white_balance(light.white_k).astype(np.float32),
         "u_display": DISPLAYS.index(light.display),
-        "u_fog_density": fog.density if fog.on else 0.0,
+        "u_fog_density": fog.density if fog.on and not sky.even else 0.0,
         "u_fog_height_m": fog.height_m,
         "u_absorb": np.array([water.absorb_red, water.absorb_green, water.absorb_blue], np.float32),
         "u_scatter": water.scatter,

@@ -35,6 +35,7 @@ SHOW_FLAGS: dict[str, Flag] = {
         Flag("caustics", "Caustics", "Bright lines that waves draw on the bed.", "", "T11"),
         Flag("shadows", "Shadows", "Shadows of the land.", "light.shadows"),
         Flag("fog", "Fog", "Haze over distance.", "fog.on", "T11 D38"),
+        Flag("air", "Air", "Light that clear air adds and takes over distance.", "", "T11 L02"),
         Flag("clouds", "Clouds", "High cirrus.", "", "T11"),
         Flag("sky", "Sky", "The sky behind everything; off, it is black."),
         Flag("antialias", "Smooth edges", "Edges of single frames smoothed."),

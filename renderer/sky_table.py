@@ -32,7 +32,6 @@ SUN_RADIUS = 0.00465  # rad
 GROUND_ALBEDO = 0.18
 ROWS, COLUMNS = 96, 64
 EYE_KM = 0.02
-NIGHT = np.array([0.55, 0.75, 1.2]) * 4e-7  # airglow, kcd/m²
 
 
 def _medium(altitude: np.ndarray, turbidity: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -170,25 +169,11 @@ def _phases(cosine: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
 def sky_table(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
     """Sky radiance, float32 `(96, 64, 3)` kcd/m²; rows from horizon to zenith by the square root of the elevation,
     columns from the sun's azimuth to the opposite one."""
-    turbidity, sun = float(turbidity), np.radians(float(sun_elevation_deg))
     elevation = (np.arange(ROWS) / (ROWS - 1)) ** 2 * np.pi / 2
     azimuth = np.arange(COLUMNS) / (COLUMNS - 1) * np.pi
     elevation, azimuth = np.meshgrid(elevation, azimuth, indexing="ij")
-    cosine, sun_cosine = np.sin(elevation), np.full_like(elevation, np.sin(sun))
-    along = np.cos(elevation) * np.cos(sun) * np.cos(azimuth) + cosine * sun_cosine
-    rayleigh, haze_phase = _phases(along)
-    multiple = _multiple_table(turbidity)
-    altitude = np.full_like(elevation, EYE_KM)
-
-    def sun_at(at, here):
-        return np.clip(((GROUND_KM + altitude) * sun_cosine + at * along) / here, -1, 1)
-
-    def source(h, c, air, haze, sunlight):
-        return sunlight * (air * rayleigh + haze * haze_phase) + (air + haze) * _look_up(multiple, h, c)
-
-    # Rays just over the sea are kept off the ground so that the horizon row holds the whole path
-    light = _march(altitude, np.maximum(cosine, 0.0), sun_at, turbidity, 40, source)[0]
-    return (light * SUN_KLUX + NIGHT).astype(np.float32)
+    rays = _Rays(elevation, azimuth, np.radians(float(sun_elevation_deg)), float(turbidity))
+    return (rays.all() * SUN_KLUX).astype(np.float32)
 
 
 def sun_illuminance(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
@@ -201,43 +186,71 @@ def sun_illuminance(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
     return SUN_KLUX * through * shown
 
 
+AERIAL = (16, 16, 32)  # distances, elevations, azimuths
+AERIAL_FIRST_KM, AERIAL_RATIO = 0.1, 2.0**0.75  # the last distance but one is 145 km
+
+
 @lru_cache(maxsize=8)
-def sky_harmonics(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
-    """Irradiance of sky and lit ground, nine spherical-harmonic coefficients `(9, 3)` kilolux.
+def aerial_table(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
+    """Light that the air adds up to a distance, float32 `(16, 16, 32, 3)` kcd/m² by distance, elevation and azimuth.
 
-    Convolved with the cosine lobe (Ramamoorthi & Hanrahan 2001); x points to the sun's azimuth, z up.
+    The integral of `sky_table` cut off on its way; the last distance is all of it, so sea and sky meet without a seam.
     """
-    table = sky_table(sun_elevation_deg, turbidity).astype(np.float64)
-    sun = np.sin(np.radians(sun_elevation_deg))
-    v = (np.arange(ROWS) / (ROWS - 1)) ** 2 * np.pi / 2
-    phi = np.arange(COLUMNS) / (COLUMNS - 1) * np.pi
-    solid = np.gradient(v)[:, None] * np.cos(v)[:, None] * np.gradient(phi)[None, :] * 2  # both halves
-    solid[:, [0, -1]] *= 0.5
-    solid *= 2 * np.pi / solid.sum()
-    up_light = (table * (solid * np.sin(v)[:, None])[..., None]).sum((0, 1))
-    below = (up_light + max(sun, 0) * sun_illuminance(sun_elevation_deg, turbidity)) * GROUND_ALBEDO / np.pi
-    elevation, azimuth = np.meshgrid(v, phi, indexing="ij")
-    x, y, z = np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)
-    result = np.zeros((9, 3))
-    for light, height in ((table, z), (np.broadcast_to(below, table.shape), -z)):
-        for i, value in enumerate(_basis(x, y, height)):
-            if i in (1, 4, 5):  # odd in y: the other half of the sky cancels them
-                continue
-            result[i] += (light * (solid * value)[..., None]).sum((0, 1))
-    lobe = np.array([np.pi, *[2 * np.pi / 3] * 3, *[np.pi / 4] * 5])
-    return result * lobe[:, None]
+    counts = AERIAL[1:]
+    elevation = (np.arange(counts[0]) / (counts[0] - 1)) ** 2 * np.pi / 2
+    azimuth = np.arange(counts[1]) / (counts[1] - 1) * np.pi
+    elevation, azimuth = np.meshgrid(elevation, azimuth, indexing="ij")
+    rays = _Rays(elevation, azimuth, np.radians(float(sun_elevation_deg)), float(turbidity))
+    far = AERIAL_FIRST_KM * AERIAL_RATIO ** np.arange(AERIAL[0] - 1)
+    total, through, start, parts = 0.0, 1.0, 0.0, []
+    for end in far:
+        for i in range(2):
+            at = start + (i + 0.5) / 2 * (end - start)
+            part, source, extinction = rays.step(at, (end - start) / 2)
+            total = total + through * source * (1 - part) / np.maximum(extinction, 1e-9)
+            through = through * part
+        start = end
+        parts.append(total)
+    parts.append(rays.all())
+    # what is left of the atmosphere beyond the last cut can only add
+    return (np.minimum(np.stack(parts), parts[-1]) * SUN_KLUX).astype(np.float32)
 
 
-def _basis(x, y, z) -> tuple:
-    """Real spherical harmonics to order 2."""
-    return (
-        0.282095 + 0 * x,
-        0.488603 * y,
-        0.488603 * z,
-        0.488603 * x,
-        1.092548 * x * y,
-        1.092548 * y * z,
-        0.315392 * (3 * z * z - 1),
-        1.092548 * x * z,
-        0.546274 * (x * x - y * y),
-    )
+class _Rays:
+    """View rays from the shore: their angles to the sun and what lights the air along them."""
+
+    def __init__(self, elevation: np.ndarray, azimuth: np.ndarray, sun: float, turbidity: float) -> None:
+        # Rays just over the sea are kept off the ground so that the horizon row holds the whole path
+        self.cosine = np.maximum(np.sin(elevation), 0.0)
+        self.sun_cosine = np.full_like(elevation, np.sin(sun))
+        self.along = np.cos(elevation) * np.cos(sun) * np.cos(azimuth) + self.cosine * self.sun_cosine
+        self.turbidity = turbidity
+        self.phases = _phases(self.along)
+        self.multiple = _multiple_table(turbidity)
+        self.altitude = np.full_like(elevation, EYE_KM)
+
+    def sun_at(self, at, here):
+        return np.clip(((GROUND_KM + self.altitude) * self.sun_cosine + at * self.along) / here, -1, 1)
+
+    def source(self, h, c, air, haze, sunlight):
+        rayleigh, haze_phase = self.phases
+        return sunlight * (air * rayleigh + haze * haze_phase) + (air + haze) * _look_up(self.multiple, h, c)
+
+    def step(self, at: float, length: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Transmittance of a piece of the rays, light scattered into it, its extinction."""
+        radius = GROUND_KM + self.altitude
+        here = np.sqrt(radius**2 + at**2 + 2 * radius * self.cosine * at)
+        c = self.sun_at(at, here)
+        air, haze, extinction = _medium(here - GROUND_KM, self.turbidity)
+        sunlight = _look_up(_transmittance_table(self.turbidity), here - GROUND_KM, c)
+        return np.exp(-extinction * length), self.source(here - GROUND_KM, c, air, haze, sunlight), extinction
+
+    def all(self) -> np.ndarray:
+        """Light along all of the rays, for a sun of unit illuminance."""
+        return _march(self.altitude, self.cosine, self.sun_at, self.turbidity, 40, self.source)[0]
+
+
+def air_extinction(turbidity: float) -> tuple[np.ndarray, np.ndarray]:
+    """Extinction at sea level of the air and of its haze, 1/m, `(3,)` each."""
+    _, haze, both = (value[0] / 1000 for value in _medium(np.zeros(1), float(turbidity)))
+    return both - haze / HAZE_ALBEDO, haze / HAZE_ALBEDO

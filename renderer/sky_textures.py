@@ -1,4 +1,4 @@
-"""Uploads what sky_table.py works out, made anew when the sun, the air or the clouds change."""
+"""Uploads what sky_light.py works out, made anew when sun, air or clouds change."""
 
 from __future__ import annotations
 
@@ -6,39 +6,39 @@ import moderngl
 import numpy as np
 
 from ..level import Level
-from .sky_table import sky_table
+from .sky_light import SkyLight, sky_light
 
 
 class SkyTextures:
-    """Sky textures by sampler name: `u_sky`."""
+    """Sky textures by sampler name: `u_sky` the clear sky, `u_aerial` light that the air adds; `light` all of it."""
 
     def __init__(self, ctx: moderngl.Context) -> None:
         self.ctx = ctx
         self.textures: dict[str, moderngl.Texture] = {}
-        self._key: tuple | None = None
-
-    def items(self):
-        """(sampler name, texture) of all."""
-        return self.textures.items()
+        self.light: SkyLight | None = None
 
     def update(self, level: Level) -> None:
         """Follow the level's light settings."""
-        light = level.settings.light
-        key = (light.sun_elevation_deg, light.turbidity)
-        if key == self._key:
+        light = sky_light(level.settings)
+        if light is self.light:
             return
-        self._key = key
-        if "u_sky" in self.textures:
-            self.textures["u_sky"].release()
-        table = np.ascontiguousarray(sky_table(*key).astype(np.float16))
-        sky = self.ctx.texture((table.shape[1], table.shape[0]), 3, table.tobytes(), dtype="f2", alignment=2)
-        sky.repeat_x = sky.repeat_y = False
-        sky.build_mipmaps()
-        sky.filter = moderngl.LINEAR_MIPMAP_LINEAR, moderngl.LINEAR
-        self.textures["u_sky"] = sky
+        self.light = light
+        self._put("u_sky", light.table)
+        distances, elevations, azimuths, _ = light.aerial.shape
+        self._put("u_aerial", light.aerial.reshape(distances * elevations, azimuths, 3))
+
+    def _put(self, name: str, table: np.ndarray) -> None:
+        """Send a table `(rows, cols, 3)`; a texture of its size is used again."""
+        size = table.shape[1], table.shape[0]
+        if name not in self.textures:
+            texture = self.textures[name] = self.ctx.texture(size, 3, dtype="f2", alignment=2)
+            texture.repeat_x = texture.repeat_y = False
+            texture.filter = moderngl.LINEAR, moderngl.LINEAR
+        data = np.ascontiguousarray(np.clip(table, 0, 60000).astype(np.float16))
+        self.textures[name].write(data.tobytes(), alignment=2)
 
     def release(self) -> None:
         for texture in self.textures.values():
             texture.release()
         self.textures.clear()
-        self._key = None
+        self.light = None

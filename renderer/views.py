@@ -11,7 +11,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from ..level import LAYERS, BadInput
+from ..level import LAYERS, BadInput, Settings
+from ..level.params import replace
 
 RAMPS = ("light", "colour", "direct", "grey", "signed", "normal", "metres")
 
@@ -27,6 +28,14 @@ class View:
     high: float = 1.0
     ids: str = "T11"
     layer: str = ""  # the painted layer the value reads as `painted`
+    scene: str = ""  # "white": all albedo 1; "lookdev": balls and a card before the camera
+    settings: tuple[tuple[str, object], ...] = ()  # what it changes of the level's settings
+
+    def changed(self, settings: Settings) -> Settings:
+        """A level's settings as the view shows them."""
+        for path, value in self.settings:
+            settings = replace(settings, path, value)
+        return settings
 
 
 def _layer_view(row) -> View:
@@ -49,6 +58,11 @@ VIEWS: dict[str, View] = {
     view.name: view
     for view in (
         View("final", "Picture", "What the game shows.", ids="D01"),
+        View("lookdev", "Look-dev", "A grey ball, a chrome ball and a card of 24 patches in the picture's light.",
+             ids="L08", scene="lookdev"),
+        View("furnace", "Furnace", "White land under even light: whatever isn't 1 is a fault of the light.", "lit",
+             "grey", 0.9, 1.1, ids="L01", scene="white",
+             settings=(("light.body", "even"), ("water.on", False), ("fog.on", False))),
         View("albedo", "Albedo", "Colour of land and foam without light.", "s.albedo", "colour", ids="D01"),
         View("normal", "Normal", "World normals: red east, green north, blue up.", "s.normal", "normal", ids="D01"),
         View("roughness", "Roughness", "Roughness of what lies on top.", "vec3(s.roughness)", ids="D01"),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from shorewright.level import Settings
 from shorewright.level.params import replace
-from shorewright.renderer import sky_table
+from shorewright.renderer import sky_light, sky_table
 from shorewright.renderer.look import exposure_scale, look_uniforms
 from shorewright.renderer.program import Shader
 from shorewright.renderer.uniforms import set_uniforms
@@ -85,7 +85,7 @@ def test_sky_is_finite_and_bright_by_day(elevation):
     table = sky_table.sky_table(elevation, 2.6)
     assert np.isfinite(table).all()
     assert table.min() >= 0
-    lit = sky_table.sky_harmonics(elevation, 2.6)[0] * 0.282095
+    lit = sky_light.up_irradiance(table)
     sun = sky_table.sun_illuminance(elevation, 2.6)
     assert np.isfinite(sun).all()
     assert (sun == 0).all() == (elevation < 0)
@@ -95,8 +95,7 @@ def test_sky_is_finite_and_bright_by_day(elevation):
 def test_noon_has_the_known_numbers():
     """Clear noon: 80 to 115 klx from the sun, 10 to 30 klx from the sky, a blue zenith of 2 to 6 kcd/m²."""
     sun = sky_table.sun_illuminance(60, 2.6) @ LUMINANCE
-    c = sky_table.sky_harmonics(60, 2.6)
-    up = (c[0] * 0.282095 + c[2] * 0.488603 + c[6] * 0.315392 * 2) @ LUMINANCE
+    up = sky_light.up_irradiance(sky_table.sky_table(60, 2.6)) @ LUMINANCE
     zenith = sky_table.sky_table(60, 2.6)[-1, 32]
     assert 80 < sun < 115
     assert 10 < up < 30

@@ -21,6 +21,7 @@ def render(
     size_text: Annotated[str, Parameter(name="--size", help="WIDTHxHEIGHT in pixels.")] = "1280x720",
     time: Annotated[float, Parameter(allow_leading_hyphen=True, help="Seconds on the level's clock.")] = 0.0,
     view: Annotated[str, Parameter(help="A buffer or mask; `shorewright views` lists them.")] = "final",
+    environment: Annotated[str | None, Parameter(help="Light and air by name; `shorewright environments`.")] = None,
     assignments: Annotated[
         list[str] | None, Parameter(name="--set", negative="", help="NAME=VALUE, may repeat.")
     ] = None,
@@ -40,7 +41,7 @@ def render(
     options["samples"] = int(finite(samples, "--samples", 1, 4096))
     times = _times(time, frames, fps)
     writable_parent(output)
-    found = _level(level, assignments)
+    found = _level(level, environment, assignments)
     options |= _checked(view, hide)
     return _draw(found, _camera(found, camera), output, times, frames is not None, options)
 
@@ -51,12 +52,16 @@ def _times(start: float, frames: int | None, fps: float) -> list[float]:
     return [start + n / fps for n in range(int(finite(1 if frames is None else frames, "--frames", 1, 100_000)))]
 
 
-def _level(path: Path, assignments: list[str] | None):
+def _level(path: Path, environment: str | None, assignments: list[str] | None):
+    """A level under an environment, with single settings changed."""
     from ...io import read_level
+    from ...level.environments import environment_settings
 
     notes: list[str] = []
     level = read_level(path, notes)
     put_notes(notes)
+    if environment:
+        level.set_settings(environment_settings(level.settings, environment))
     for text in assignments or []:
         level.set(*assignment(text))
     return level

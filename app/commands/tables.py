@@ -1,4 +1,4 @@
-"""`views`, `brushes`, `layers`, `settings`: the tables the program is made of."""
+"""`views`, `brushes`, `layers`, `settings`, `environments`: the tables the program is made of."""
 
 from __future__ import annotations
 
@@ -67,6 +67,17 @@ def settings(*, as_json: Json = False) -> int:
         put_json([asdict(row) for row in rows])
     else:
         put_table([_param(row) for row in rows])
+    return 0
+
+
+def environments(*, as_json: Json = False) -> int:
+    """List the environments: named light and air, as --environment takes them."""
+    from ...level.environments import ENVIRONMENTS
+
+    if as_json:
+        put_json([asdict(row) for row in ENVIRONMENTS.values()])
+    else:
+        put_table([(row.name, row.doc) for row in ENVIRONMENTS.values()])
     return 0
 
 

@@ -12,19 +12,8 @@ from .. import param_widgets
 from ..editor import Editor
 
 OPEN = ("shore", "sea")
-ORDER = (
-    "shore",
-    "sea",
-    "water",
-    "light",
-    "fog",
-    "ground",
-    "wet",
-    "scatter",
-    "walk",
-    "time",
-    "level",
-)  # most turned first
+# what is turned most comes first
+ORDER = ("shore", "sea", "water", "light", "fog", "ground", "wet", "scatter", "walk", "time", "level")
 TITLES = {"sea": "Open sea", "shore": "Shore waves", "water": "Water colour", "fog": "Haze", "wet": "Wet shore",
           "walk": "Walkable", "level": "Sea level and seed"}  # fmt: skip
 _filter = {"text": ""}

@@ -8,4 +8,4 @@ from ..frame import Frame
 def draw(frame: Frame) -> None:
     frame.targets.hdr.use()
     frame.targets.hdr.clear()
-    frame.shader("light.glsl").fullscreen()
+    frame.shader("light.glsl", **({"WHITE": ""} if frame.view.scene == "white" else {})).fullscreen()

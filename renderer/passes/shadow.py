@@ -12,6 +12,7 @@ from functools import reduce
 import numpy as np
 
 from ...level import Rect
+from ...level.sun import light_angles
 from ..frame import Frame
 from ..look import sun_direction
 
@@ -52,7 +53,8 @@ def draw(frame: Frame) -> None:
     grid, light = frame.level.grid, frame.level.settings.light
     shadow = _map(frame)
     cell_m = grid.extent_m[0] / (shadow.size[0] - 1)
-    key = frame.renderer.uploader.wholes, light.sun_azimuth_deg, light.sun_elevation_deg
+    azimuth_deg, elevation_deg = light_angles(light)
+    key = frame.renderer.uploader.wholes, azimuth_deg, elevation_deg
     if light.shadows:
         changed = frame.level.changed_since("height", shadow.revision) if shadow.key == key else [grid.rect]
         if changed:
@@ -60,7 +62,7 @@ def draw(frame: Frame) -> None:
         shadow.key, shadow.revision = key, frame.level.revision
     frame.textures["u_shadow"] = shadow.texture
     frame.uniforms["u_shadow_cell_m"] = cell_m
-    slant = math.cos(math.radians(max(light.sun_elevation_deg, 1.0))) ** 2
+    slant = math.cos(math.radians(max(elevation_deg, 1.0))) ** 2
     frame.uniforms["u_shadow_spread"] = SUN_RADIUS_RAD / max(slant, 0.05)
 
 
@@ -78,7 +80,7 @@ def _map(frame: Frame) -> ShadowMap:
 
 def _march(frame: Frame, shadow: ShadowMap, cell_m: float, changed: Rect) -> None:
     light, extent = frame.level.settings.light, frame.level.grid.extent_m
-    east, north, up = sun_direction(light.sun_azimuth_deg, light.sun_elevation_deg)
+    east, north, up = sun_direction(*light_angles(light))
     flat = math.hypot(east, north)
     if flat < 1e-3:
         east, north, flat = 0.0, 1.0, 1e-3  # at the zenith nothing throws a shadow

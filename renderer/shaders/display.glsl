@@ -9,6 +9,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/display.glsl"
 uniform sampler2D picture;
 uniform float u_exposure;
+uniform vec3 u_white;   // gains of the white balance
 uniform int u_display;
 uniform int u_ramp;     // views.py RAMPS
 uniform vec2 u_range;
@@ -17,7 +18,7 @@ out vec4 out_display;
 const int LIGHT = 0, COLOUR = 1, DIRECT = 2, GREY = 3, SIGNED = 4, NORMAL = 5, METRES = 6;
 
 vec3 shown(vec3 value) {
-    if (u_ramp == LIGHT) return srgb_encode(display_transform(value, u_exposure, u_display)) + dither(gl_FragCoord.xy);
+    if (u_ramp == LIGHT) return srgb_encode(display_transform(value * u_white, u_exposure, u_display)) + dither(gl_FragCoord.xy);
     if (u_ramp == COLOUR) return srgb_encode(value);
     if (u_ramp == GREY) return (value - u_range.x) / (u_range.y - u_range.x);
     if (u_ramp == NORMAL) return value * 0.5 + 0.5;

@@ -1,4 +1,4 @@
-// Haze over distance on land and water alike (D38). Two sources: what is added, and by how much the rest is dimmed.
+// Air and haze over distance, on land, water and sky alike (L02, D38).
 #include "lib/frame.glsl"
 
 #ifdef VERTEX
@@ -15,11 +15,13 @@ void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     float eye_depth = texelFetch(g_eye_depth, pixel, 0).r;
     vec4 radiance = texelFetch(hdr, pixel, 0);
+    vec3 ray = pixel_ray();
+    float eye = u_camera.z - u_level_sea_level_m;
     if (eye_depth > 0.0) {
-        vec3 relative = pixel_ray() * eye_depth;
-        float away = length(relative), eye = u_camera.z - u_level_sea_level_m;
+        vec3 relative = ray * eye_depth;
+        float away = length(relative);
         radiance.rgb = fog(radiance.rgb, relative / away, eye, eye + relative.z, away);
-    }
+    } else radiance.rgb = fog_over_sky(radiance.rgb, normalize(ray), eye);
     out_radiance = radiance;
 }
 #endif

@@ -8,30 +8,41 @@ void main() { fullscreen_triangle(); }
 #ifdef FRAGMENT
 #include "lib/gbuffer.glsl"
 #include "lib/sky.glsl"
+#include "lib/lobes.glsl"
 #include "lib/brdf.glsl"
 #include "lib/shadow.glsl"
 #include "lib/land_light.glsl"
 out vec4 out_radiance;
+uniform float u_light_bounce;
+#ifdef WHITE
+const vec3 LAND_BOUNCE = vec3(1.0);  // the furnace: everything gives back all light
+#else
 const vec3 LAND_BOUNCE = vec3(0.17, 0.155, 0.13);  // albedo of land, half of it in the sun
+#endif
 
 void main() {
     Surface s = read_gbuffer(ivec2(gl_FragCoord.xy));
     if (s.material == NOTHING) discard;
+#ifdef WHITE
+    s.albedo = vec3(1.0);
+    s.emissive = vec3(0.0);
+#endif
     vec3 relative = pixel_ray() * s.eye_depth;
     vec3 to_eye = -normalize(relative);
     vec3 mirror = reflect(-to_eye, s.normal);
     vec3 f0 = vec3(s.specular);
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
     vec3 light = brdf_sun(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
-    vec3 mirrored = sky_radiance_rough(mirror, s.roughness) * s.open;
+    // what hides the sky is itself lit land or water, and gives part of its light back
+    vec3 up = sky_irradiance(vec3(0.0, 0.0, 1.0)) + sun_radiance() * max(u_sun_direction.z, 0.0);
+    vec3 bounce = up * LAND_BOUNCE * u_light_bounce * (1.0 - s.open);
+    vec3 ambient = sky_irradiance(s.normal) * s.open + bounce;
+    vec3 mirrored = sky_lobe(mirror, s.roughness) * s.open + bounce / PI;
     if (s.material == SEA && s.roughness < 0.6) {
         // the coast in the water, as bright as land of a middling albedo
         float coast = land_in_mirror(u_camera + relative, normalize(vec3(mirror.xy, max(mirror.z, 0.02))));
         mirrored = mix(mirrored, (sky_irradiance(vec3(0.0, 0.0, 1.0)) + 0.35 * sun_radiance()) * 0.045, coast);
     }
-    // what hides the sky is itself lit land or water, and gives part of its light back
-    vec3 up = sky_irradiance(vec3(0.0, 0.0, 1.0)) + sun_radiance() * max(u_sun_direction.z, 0.0);
-    vec3 ambient = sky_irradiance(s.normal) * s.open + up * LAND_BOUNCE * (1.0 - s.open);
     light += brdf_ambient(s.albedo, s.normal, to_eye, s.roughness, f0, ambient, mirrored);
     out_radiance = vec4(min(light + s.emissive, MOST_RADIANCE), 1.0);
 }

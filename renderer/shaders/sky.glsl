@@ -14,8 +14,8 @@ out vec4 out_radiance;
 void main() {
     if (texelFetch(g_eye_depth, ivec2(gl_FragCoord.xy), 0).r > 0.0) discard;
     vec3 way = normalize(pixel_ray());
-    vec3 sky = sky_radiance(way) + sun_disc(way);
-    if (u_show_clouds) sky += sky_cirrus(way);
+    vec3 sky = sky_seen(way, u_show_clouds ? 1.0 : 0.0) + sun_disc(way);
+    sky += sky_stars(way, u_pixel_angle) * (1.0 - u_light_cloud_cover);
     out_radiance = vec4(u_show_sky ? min(sky, 60000.0) : vec3(0.0), 1.0);
 }
 #endif

@@ -173,12 +173,14 @@ def start(ctx) -> list[dict]:
     import os
     import tempfile
 
-    from shorewright.level import textures
-    from shorewright.renderer import Renderer, sky_table
+    from shorewright.level import Settings, textures
+    from shorewright.level.params import replace
+    from shorewright.renderer import Renderer, sky_light, sky_table
     from shorewright.renderer.cache import VARIABLE
 
     made = [textures.noise_texture, textures.foam_texture, textures.ripple_texture, textures.ground_texture]
-    made += [sky_table.sky_table, sky_table._multiple_table, sky_table._transmittance_table]
+    made += [sky_table.sky_table, sky_table.aerial_table, sky_table._multiple_table, sky_light._made]
+    made.append(sky_table._transmittance_table)
     before, took = os.environ.get(VARIABLE), []
     with tempfile.TemporaryDirectory() as folder:
         os.environ[VARIABLE] = folder
@@ -187,7 +189,7 @@ def start(ctx) -> list[dict]:
                 function.cache_clear()
             begun = time.perf_counter()
             renderer = Renderer(ctx)
-            sky_table.sky_harmonics(40.0, 2.5)
+            sky_light.sky_light(replace(Settings(), "light.sun_elevation_deg", 40.0))
             ctx.finish()
             took.append(time.perf_counter() - begun)
             renderer.release()

@@ -1,13 +1,18 @@
-// Sky and sun from the table that renderer/sky_table.py works out. Radiance in kcd/m², illuminance in klux.
+// Sky, sun and cloud layer from what renderer/sky_light.py works out. Radiance in kcd/m², illuminance in klx, both times
+// the frame's unit. A direction below the horizon gets the horizon.
 #include "lib/noise.glsl"
 
 uniform sampler2D u_sky;            // rows: sqrt(elevation / 90°), columns: azimuth from the sun, 0 … 180°
-uniform vec3 u_sun_direction;       // towards the sun
-uniform vec3 u_sun_illuminance;     // on a plane facing it, at sea level
+uniform vec3 u_sun_direction;       // towards the sun, or the moon
+uniform vec3 u_sun_illuminance;     // on a plane facing it, at sea level, under the clouds
+uniform vec3 u_sun_disc;            // the same without clouds
 uniform vec3 u_sky_sh[9];           // irradiance, x towards the sun's azimuth
+uniform vec3 u_deck;                // the cloud layer at the zenith
+uniform float u_light_cloud_cover, u_light_cloud_depth;
 
 const float SKY_ROWS = 96.0, SKY_COLUMNS = 64.0;
 const float SUN_RADIUS = 0.00465;   // rad
+const float PI_SKY = 3.14159265359;
 
 // Horizontal unit vector towards the sun.
 vec2 sun_heading() {
@@ -15,35 +20,50 @@ vec2 sun_heading() {
     return flat_length > 1e-4 ? u_sun_direction.xy / flat_length : vec2(0.0, 1.0);
 }
 
-vec2 sky_uv(vec3 dir) {
+// Azimuth from the sun and square root of the elevation, 0 … 1 each.
+vec2 sky_place(vec3 dir) {
     float elevation = asin(clamp(dir.z, 0.0, 1.0)) * 0.636619772;
     float flat_length = max(length(dir.xy), 1e-5);
-    float away = acos(clamp(dot(dir.xy, sun_heading()) / flat_length, -1.0, 1.0)) * 0.318309886;
-    vec2 size = vec2(SKY_COLUMNS, SKY_ROWS);
-    return (vec2(away, sqrt(elevation)) * (size - 1.0) + 0.5) / size;
+    return vec2(acos(clamp(dot(dir.xy, sun_heading()) / flat_length, -1.0, 1.0)) * 0.318309886, sqrt(elevation));
 }
 
-// Radiance of the clear sky without the disc; below the horizon that of the horizon.
-vec3 sky_radiance(vec3 dir) { return textureLod(u_sky, sky_uv(dir), 0.0).rgb; }
+vec3 sky_clear(vec3 dir) {
+    vec2 size = vec2(SKY_COLUMNS, SKY_ROWS);
+    return textureLod(u_sky, (sky_place(dir) * (size - 1.0) + 0.5) / size, 0.0).rgb;
+}
 
-// The same averaged over a lobe, for rough reflections.
-vec3 sky_radiance_rough(vec3 dir, float roughness) {
-    return textureLod(u_sky, sky_uv(dir), 5.0 * clamp(roughness, 0.0, 1.0)).rgb;
+// The cloud layer without its structure: CIE overcast sky, a third as bright at the horizon as at the zenith.
+vec3 deck_radiance(vec3 dir) { return u_deck * ((1.0 + 2.0 * max(dir.z, 0.0)) / 3.0); }
+
+// Mean radiance of the sky without the disc.
+vec3 sky_radiance(vec3 dir) {
+    vec3 clear = sky_clear(dir);
+    return u_light_cloud_cover > 0.0 ? mix(clear, deck_radiance(dir), u_light_cloud_cover) : clear;
 }
 
 vec3 sun_radiance() { return u_sun_illuminance; }
 
-// The disc with limb darkening (Hestroffer & Magnan 1998), clamped to what a half float holds.
-vec3 sun_disc(vec3 dir) {
-    float apart = length(dir - u_sun_direction);
-    float r = apart / SUN_RADIUS;
-    float edge = 1.0 - smoothstep(0.92, 1.12, r);
-    vec3 limb = pow(vec3(max(1.0 - r * r, 1e-3)) , 0.5 * vec3(0.397, 0.503, 0.652));
-    vec3 disc = u_sun_illuminance / (3.14159265 * SUN_RADIUS * SUN_RADIUS) * limb * edge;
-    return min(disc, vec3(30000.0)) * step(0.0, dir.z + 0.02);
+// The layer's structure: x how much of it stands in the way, y its brightness against the mean. Rolls and billows hang
+// from it: seen from below, thick parts are dark and their rims, where more light comes through, are bright.
+vec2 deck_structure(vec3 dir) {
+    float low = max(dir.z, 0.0);
+    vec2 at = dir.xy / (low + 0.11);
+    vec4 broad = textureLod(u_noise, at * 0.033 + 0.31, 1.0);
+    vec2 bent = turn(at, 0.42, 0.907) * vec2(0.095, 0.125) + 0.035 * (broad.gr - 0.5);
+    vec4 cell = textureLod(u_noise, bent, 0.5);
+    vec4 fine = textureLod(u_noise, bent * 3.1 + 0.03 * (cell.rg - 0.5), 1.0);
+    float field = 0.42 * broad.r + 0.36 * cell.r + 0.14 * (1.0 - cell.a) + 0.08 * fine.r;
+    float thick = smoothstep(0.22, 0.78, field);  // spread again: the mean of even fields crowds in the middle
+    float clear = 1.0 - u_light_cloud_cover;
+    float cover = smoothstep(clear - 0.10, clear + 0.08, mix(thick, 1.02, smoothstep(0.9, 1.0, u_light_cloud_cover)));
+    float depth = smoothstep(3.0, 70.0, u_light_cloud_depth);
+    float ridge = (cell.a - 0.5) * 0.9 + (fine.a - 0.5) * 0.5 + (fine.g - 0.5) * 0.25;
+    float bright = 1.0 + mix(0.40, 1.60, depth) * (0.48 - thick) + mix(0.16, 0.34, depth) * ridge;
+    float seen = smoothstep(0.0, 0.12, low);  // at the horizon the rolls stand too close to be told apart
+    return vec2(mix(u_light_cloud_cover, cover, smoothstep(0.0, 0.08, low)), mix(1.0, max(bright, 0.22), seen));
 }
 
-// Faint high cirrus: streaks combed along one way, thin towards the zenith, gone at night. Adds to sky_radiance.
+// Faint high cirrus: streaks combed along one way, thin towards the zenith, gone at night. Adds to the clear sky.
 vec3 sky_cirrus(vec3 dir) {
     if (dir.z < 0.015) return vec3(0.0);
     vec2 at = dir.xy / (dir.z + 0.10);
@@ -56,8 +76,47 @@ vec3 sky_cirrus(vec3 dir) {
     // ice scatters forward: brighter near the sun
     float cosine = dot(dir, u_sun_direction);
     float phase = 0.055 + 0.30 * pow(max(cosine, 0.0), 6.0) + 1.1 * pow(max(cosine, 0.0), 60.0);
-    vec3 light = u_sun_illuminance * phase + u_sky_sh[0] * (0.282095 / 3.14159265);
+    vec3 light = u_sun_illuminance * phase + u_sky_sh[0] * (0.282095 / PI_SKY);
     return cover * 0.36 * light;
+}
+
+uniform float u_star_light;  // radiance of the brightest, 0 by day
+
+// Stars in cells of an octahedron's faces, each twice the size of a pixel at most, dimmer ones far more often.
+vec3 sky_stars(vec3 dir, float pixel_angle) {
+    if (u_star_light <= 0.0 || dir.z < 0.02) return vec3(0.0);
+    vec2 at = dir.xy / (1.0 + dir.z) * 140.0, cell = floor(at);
+    vec3 h = fract(sin(vec3(dot(cell, vec2(127.1, 311.7)), dot(cell, vec2(269.5, 183.3)), dot(cell, vec2(41.3, 289.1))))
+                   * 43758.5453);
+    vec2 off = (at - cell - 0.25 - 0.5 * h.xy) * ((1.0 + dir.z * dir.z) / 280.0 * 2.0);
+    float size = max(0.9 * pixel_angle, 0.0004);
+    float spot = exp(-dot(off, off) / (size * size)) * (0.0004 * 0.0004) / (size * size);
+    float bright = pow(h.z, 36.0);  // a magnitude less, three times as many
+    return vec3(mix(1.2, 0.8, h.x), 1.0, mix(0.75, 1.3, h.x)) * (u_star_light * spot * bright)
+           * smoothstep(0.02, 0.25, dir.z);
+}
+
+// The sky as it is seen and mirrored, disc excepted; `cirrus` 0 or 1.
+vec3 sky_seen(vec3 dir, float cirrus) {
+    vec3 sky = sky_clear(dir);
+    if (cirrus > 0.0) sky += sky_cirrus(dir) * cirrus;
+    if (u_light_cloud_cover <= 0.0) return sky;
+    vec2 deck = deck_structure(dir);
+    // a thin layer glows round the sun
+    float glow = pow(max(dot(dir, u_sun_direction), 0.0), 12.0) * exp(-0.05 * u_light_cloud_depth);
+    return mix(sky, deck_radiance(dir) * deck.y * (1.0 + 1.2 * glow), deck.x);
+}
+
+// The disc with limb darkening (Hestroffer & Magnan 1998), clamped to what a half float holds, behind the clouds.
+vec3 sun_disc(vec3 dir) {
+    float r = length(dir - u_sun_direction) / SUN_RADIUS;
+    if (r > 1.2) return vec3(0.0);
+    float edge = 1.0 - smoothstep(0.92, 1.12, r);
+    vec3 limb = pow(vec3(max(1.0 - r * r, 1e-3)), 0.5 * vec3(0.397, 0.503, 0.652));
+    vec3 disc = u_sun_disc / (PI_SKY * SUN_RADIUS * SUN_RADIUS) * limb * edge;
+    float through = u_light_cloud_cover > 0.0 ? 1.0 - deck_structure(dir).x : 1.0;
+    through += (1.0 - through) * exp(-u_light_cloud_depth / max(u_sun_direction.z, 0.05));
+    return min(disc * through, vec3(30000.0)) * step(0.0, dir.z + 0.02);
 }
 
 // Irradiance of sky and bounced ground light on a plane (order-2 harmonics).

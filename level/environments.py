@@ -1,0 +1,62 @@
+"""ENVIRONMENTS: named light and air for a picture (L02), one row each; each sets all of what it touches, so that order
+never matters. They set nothing that shapes waves: a sculpted shore keeps its timing.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from .errors import BadInput
+from .params import replace
+from .settings import Settings
+
+TOUCHED = (
+    "light.sun_from", "light.sun_azimuth_deg", "light.sun_elevation_deg", "light.body", "light.turbidity",
+    "light.cloud_cover", "light.cloud_depth", "light.exposure_ev", "light.white_k",
+    "fog.on", "fog.density", "fog.height_m", "sea.wind_mps",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Environment:
+    name: str
+    label: str
+    doc: str
+    values: dict[str, Any]
+
+
+def _row(
+    name: str, label: str, doc: str, sun: tuple[float, float], ev: float, turbidity: float = 2.6, body: str = "sun",
+    clouds: tuple[float, float] = (0.0, 12.0), fog: tuple[float, float] = (0.00002, 350.0), white_k: float = 5600,
+    wind_mps: float = 5.0,
+) -> Environment:  # fmt: skip
+    values = ("angles", *sun, body, turbidity, *clouds, ev, white_k, True, *fog, wind_mps)
+    return Environment(name, label, doc, dict(zip(TOUCHED, values, strict=True)))
+
+
+ENVIRONMENTS: dict[str, Environment] = {
+    row.name: row
+    for row in (
+        _row("noon", "Noon", "High sun, clear air, a breeze.", (205.0, 56.0), 14.0),
+        _row("golden_hour", "Golden hour", "The sun a hand above the sea, long shadows.", (252.0, 7.5), 11.9,
+             turbidity=3.2, wind_mps=3.0),
+        _row("overcast", "Overcast", "A closed sheet of cloud: soft light, no shadows.", (205.0, 48.0), 12.4,
+             clouds=(1.0, 22.0), fog=(0.00005, 500.0), white_k=6000, wind_mps=7.0),
+        _row("storm", "Storm", "Dark towers of cloud, rain haze, wind.", (240.0, 24.0), 10.7, turbidity=3.5,
+             clouds=(1.0, 70.0), fog=(0.00022, 700.0), white_k=5400, wind_mps=16.0),
+        _row("moonlit", "Moonlit", "The full moon over the bay.", (215.0, 32.0), -2.9, turbidity=2.2, body="moon",
+             white_k=4500, wind_mps=3.0),
+        _row("fog", "Fog", "Morning fog on the water, the sun behind it.", (150.0, 20.0), 12.6, turbidity=3.5,
+             fog=(0.0060, 75.0), wind_mps=2.0),
+    )
+}  # fmt: skip
+
+
+def environment_settings(settings: Settings, name: str) -> Settings:
+    """The settings under an environment; BadInput lists them when there is none of that name."""
+    if name not in ENVIRONMENTS:
+        raise BadInput(f"no environment is called {name!r}; there are: {', '.join(ENVIRONMENTS)}")
+    for path, value in ENVIRONMENTS[name].values.items():
+        settings = replace(settings, path, value)
+    return settings

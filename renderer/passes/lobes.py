@@ -1,0 +1,57 @@
+"""What smooth and rough things mirror of the sky: six octahedral maps, made anew when the sky changes (L02).
+
+Maps of the sphere in one plain texture take the place of a cube with mip levels: every driver can draw into it.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..frame import Frame
+
+SIZES = (192, 64, 32, 32, 16, 16)  # lib/lobes.glsl has the same
+GROUND_ALBEDO = 0.13  # of what lies below the horizon: half sea, half land
+
+
+class Lobes:
+    """The texture and what it was made for."""
+
+    def __init__(self, ctx) -> None:
+        self.texture = ctx.texture((max(SIZES), sum(SIZES)), 4, dtype="f2")
+        self.texture.filter = ctx.LINEAR, ctx.LINEAR
+        self.texture.repeat_x = self.texture.repeat_y = False
+        self.framebuffer = ctx.framebuffer([self.texture])
+        self.key: tuple = ()
+
+    def release(self) -> None:
+        self.framebuffer.release()
+        self.texture.release()
+
+
+def draw(frame: Frame) -> None:
+    kept, sky = frame.renderer.kept, frame.renderer.sky
+    lobes = kept.get("lobes") or kept.setdefault("lobes", Lobes(frame.renderer.ctx))
+    cirrus = float("clouds" in frame.show and not sky.light.even)
+    shader = frame.shader("lobes.glsl")
+    fog = frame.uniforms["u_fog_density"], frame.uniforms["u_fog_height_m"]
+    key = id(sky.light), tuple(frame.uniforms["u_sun_direction"]), cirrus, fog, shader.generation
+    if lobes.key != key:
+        _make(frame, lobes, shader, cirrus)
+        lobes.key = key
+    frame.textures["u_lobes"] = lobes.texture
+
+
+def _make(frame: Frame, lobes: Lobes, shader, cirrus: float) -> None:
+    light, direction = frame.renderer.sky.light, frame.uniforms["u_sun_direction"]
+    c = light.harmonics
+    down = c[0] * 0.282095 + c[2] * 0.488603 + c[6] * 0.630784 + light.sun * max(float(direction[2]), 0.0)
+    ground = np.ones(3) if light.even else down * GROUND_ALBEDO / np.pi
+    shader.program["u_ground_radiance"].value = tuple(float(v) for v in ground)
+    shader.program["u_cirrus"].value = cirrus
+    top = 0
+    for level, size in enumerate(SIZES):
+        lobes.framebuffer.use()
+        lobes.framebuffer.viewport = 0, top, size, size
+        shader.program["u_level"].value = level
+        shader.fullscreen()
+        top += size
