@@ -10,6 +10,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..brushes import BRUSHES
+from ..level.environments import ENVIRONMENTS
 from ..level.framing import frame
 from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
@@ -51,6 +52,12 @@ def _show_rows() -> list[Action]:
     ]
 
 
+def _environment(name: str) -> Callable[[Session], None]:
+    """L02: all of a named light and air, as one step."""
+    row = ENVIRONMENTS[name]
+    return lambda session: session.set_all(f"{row.label} light", row.values)
+
+
 def _frame_all(session: Session) -> None:
     session.camera = frame(session.level, session.camera)
 
@@ -85,6 +92,7 @@ def _rows() -> list[Action]:
         Action("next_view", "Next view", ("F1",), "View", _view(1), repeats=True),
         Action("last_view", "View before", ("Shift+F1",), "View", _view(-1), repeats=True),
         *_show_rows(),
+        *(Action(f"light.{row.name}", row.label, (), "Light", _environment(row.name)) for row in ENVIRONMENTS.values()),
         Action("palette", "Find a command…", ("Ctrl+P",), "Edit", lambda s: s.ask("palette")),
         Action("frame", "Frame what is pointed at", ("F",), "View", Session.frame),
         Action("frame_all", "Frame the whole level", ("Shift+F",), "View", _frame_all),

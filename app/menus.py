@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from imgui_bundle import hello_imgui, imgui
 
+from ..level.environments import environment_of
 from . import keys, theme
 from .actions import ACTIONS, Action
 from .editor import OVERLAYS, QUALITIES, Editor
 
-ORDER = ("File", "Edit", "Brush", "Time", "View")
+ORDER = ("File", "Edit", "Brush", "Light", "Time", "View")
 RULED = {"import", "quit", "abort", "frame", "next_view", "brush.raise"}  # a line above these
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),
@@ -52,6 +53,8 @@ def _chosen(editor: Editor, name: str) -> bool:
     session = editor.session
     if name == "water" or name.startswith("show."):
         return name.removeprefix("show.") in session.show
+    if name.startswith("light."):
+        return name == f"light.{environment_of(session.level.settings)}"
     return name == f"brush.{session.brush}" or (name in OVERLAYS and getattr(editor, name))
 
 

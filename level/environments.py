@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from .errors import BadInput
-from .params import replace
+from .params import get, replace
 from .settings import Settings
 
 TOUCHED = (
@@ -60,3 +60,11 @@ def environment_settings(settings: Settings, name: str) -> Settings:
     for path, value in ENVIRONMENTS[name].values.items():
         settings = replace(settings, path, value)
     return settings
+
+
+def environment_of(settings: Settings) -> str:
+    """The name of the environment that settings are exactly under, "" for none."""
+    for row in ENVIRONMENTS.values():
+        if all(get(settings, path) == value for path, value in row.values.items()):
+            return row.name
+    return ""

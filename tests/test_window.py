@@ -137,6 +137,17 @@ def test_panels_and_broken_code(drive):
     assert found["picture_healed"]
 
 
+def test_environments_by_button_and_menu(drive):
+    """L02: all of a named light and air is one click and one step."""
+    found = drive("light")
+    assert found["button"] == "storm"
+    assert found["steps"] == ["Storm light"]
+    assert found["menu"] == "moonlit"
+    assert found["steps_then"] == 2
+    assert found["picture"] == ""
+    assert found["undone"]
+
+
 def test_waves_panel_cuts_through_the_pointer(drive):
     """D03, H28: A, B and A − B at this moment along a cut, without a fault in the log."""
     found = drive("waves")

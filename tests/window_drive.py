@@ -17,6 +17,7 @@ from shorewright.app.panels import history_panel
 from shorewright.app.preferences import Preferences
 from shorewright.app.session import Session
 from shorewright.io.images import write_image
+from shorewright.level.environments import environment_of
 
 CTRL, SHIFT, ALT = imgui.Key.mod_ctrl, imgui.Key.mod_shift, imgui.Key.mod_alt
 LEFT, RIGHT, MIDDLE = 0, 1, 2
@@ -182,6 +183,25 @@ def look(hands: Hands) -> None:
     hands.note(still_draws=hands.window.picture.draws - draws, still_frames=imgui.get_frame_count() - frames)
     drawn = hands.window.picture.drawn
     hands.note(full=list(drawn.size), viewport=list(hands.window.viewport.size))
+
+
+def light(hands: Hands) -> None:
+    """An environment by its button in the settings, another by the menu; each is one step to undo."""
+    ctx, session = hands.ctx, hands.session
+    hands.key(imgui.Key.space)
+    before = session.level.settings
+    ctx.item_open("//Settings/**/###section_light")
+    ctx.yield_(2)
+    ctx.item_click("//Settings/**/###environment_storm")
+    hands.settle()
+    hands.note(button=environment_of(session.level.settings), steps=[s.label for s in session.journal.done])
+    ctx.menu_click("//##MainMenuBar/Light/Moonlit")
+    hands.settle()
+    hands.note(menu=environment_of(session.level.settings), steps_then=len(session.journal.done))
+    hands.note(picture=hands.window.picture.failure, view_before=session.view)
+    hands.key(CTRL, imgui.Key.z)
+    hands.key(CTRL, imgui.Key.z)
+    hands.note(undone=session.level.settings == before)
 
 
 def panels(hands: Hands) -> None:

@@ -7,8 +7,10 @@ from functools import cache
 from imgui_bundle import imgui
 
 from ...level import Settings
+from ...level.environments import ENVIRONMENTS, environment_of
 from ...level.params import Param, describe, get
 from .. import param_widgets
+from ..actions import ACTIONS
 from ..editor import Editor
 
 OPEN = ("shore", "sea")
@@ -64,6 +66,8 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
         param_widgets.tooltip(switch.doc)
         if changed:
             editor.set(switch.name, on)
+    if opened and name == "light":
+        _environments(editor)
     if opened:
         imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(7, 4))
         param_widgets.draw_all(
@@ -74,3 +78,24 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
         )
         imgui.pop_style_var()
         imgui.spacing()
+
+
+def _environments(editor: Editor) -> None:
+    """Named light and air, as buttons that set all of it in one step."""
+    now = environment_of(editor.session.level.settings)
+    right = imgui.get_cursor_screen_pos().x + imgui.get_content_region_avail().x
+    first = next(iter(ENVIRONMENTS))
+    for row in ENVIRONMENTS.values():
+        style = imgui.get_style()
+        wide = imgui.calc_text_size(row.label).x + 2 * style.frame_padding.x + style.item_spacing.x
+        if row.name != first and imgui.get_item_rect_max().x + wide < right:
+            imgui.same_line()
+        chosen = row.name == now
+        if chosen:
+            imgui.push_style_color(imgui.Col_.button, imgui.get_style_color_vec4(imgui.Col_.button_active))
+        if imgui.button(f"{row.label}###environment_{row.name}"):
+            editor.do(ACTIONS[f"light.{row.name}"])
+        if chosen:
+            imgui.pop_style_color()
+        param_widgets.tooltip(row.doc)
+    imgui.spacing()
