@@ -43,24 +43,26 @@ vec3 sky_radiance(vec3 dir) {
 
 vec3 sun_radiance() { return u_sun_illuminance; }
 
-// The layer's structure: x how much of it stands in the way, y its brightness against the mean. Rolls and billows hang
-// from it: seen from below, thick parts are dark and their rims, where more light comes through, are bright.
+// The layer's structure: x how much of it stands in the way, y its brightness against the mean. Billows hang from it:
+// thick parts are dark below, and their rims, where more light comes through, are bright.
 vec2 deck_structure(vec3 dir) {
     float low = max(dir.z, 0.0);
-    vec2 at = dir.xy / (low + 0.11);
-    vec4 broad = textureLod(u_noise, at * 0.033 + 0.31, 1.0);
-    vec2 bent = turn(at, 0.42, 0.907) * vec2(0.095, 0.125) + 0.035 * (broad.gr - 0.5);
-    vec4 cell = textureLod(u_noise, bent, 0.5);
-    vec4 fine = textureLod(u_noise, bent * 3.1 + 0.03 * (cell.rg - 0.5), 1.0);
-    float field = 0.42 * broad.r + 0.36 * cell.r + 0.14 * (1.0 - cell.a) + 0.08 * fine.r;
-    float thick = smoothstep(0.22, 0.78, field);  // spread again: the mean of even fields crowds in the middle
+    vec2 at = dir.xy / (low + 0.10);
+    float blur = clamp(1.2 - 7.0 * low, 0.0, 1.2);  // far off the billows stand too close to be told apart
+    vec4 broad = textureLod(u_noise, at * 0.017 + 0.31, 0.0);
+    vec2 bent = turn(at, 0.42, 0.907) * 0.052 + 0.02 * (broad.gr - 0.5);
+    vec4 cell = textureLod(u_noise, bent, 0.5 + blur);
+    vec4 puff = textureLod(u_noise, turn(bent, 0.6, 0.8) * 2.3 + 0.012 * (cell.rg - 0.5), 0.5 + blur);
+    vec4 fine = textureLod(u_noise, bent * 5.7 + 0.01 * (puff.rg - 0.5), 0.5 + blur);
+    float field = 0.50 * broad.r + 0.27 * cell.r + 0.15 * puff.r + 0.08 * fine.r;
+    float thick = smoothstep(0.24, 0.76, field);  // spread again: the mean of even fields crowds in the middle
     float clear = 1.0 - u_light_cloud_cover;
     float cover = smoothstep(clear - 0.10, clear + 0.08, mix(thick, 1.02, smoothstep(0.9, 1.0, u_light_cloud_cover)));
     float depth = smoothstep(3.0, 70.0, u_light_cloud_depth);
-    float ridge = (cell.a - 0.5) * 0.9 + (fine.a - 0.5) * 0.5 + (fine.g - 0.5) * 0.25;
-    float bright = 1.0 + mix(0.40, 1.60, depth) * (0.48 - thick) + mix(0.16, 0.34, depth) * ridge;
-    float seen = smoothstep(0.0, 0.12, low);  // at the horizon the rolls stand too close to be told apart
-    return vec2(mix(u_light_cloud_cover, cover, smoothstep(0.0, 0.08, low)), mix(1.0, max(bright, 0.22), seen));
+    float billow = 0.55 * (0.5 - puff.a) + 0.30 * (0.5 - fine.a) + 0.35 * (puff.g - 0.5);
+    float bright = exp2(mix(0.8, 3.4, depth) * (0.45 - thick)) * (1.0 + mix(0.20, 0.75, depth) * billow);
+    float seen = smoothstep(0.0, 0.10, low);
+    return vec2(mix(u_light_cloud_cover, cover, smoothstep(0.0, 0.08, low)), mix(1.0, clamp(bright, 0.2, 2.2), seen));
 }
 
 // Faint high cirrus: streaks combed along one way, thin towards the zenith, gone at night. Adds to the clear sky.
