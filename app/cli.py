@@ -25,6 +25,7 @@ VERBS: dict[str, str] = {
     "crop": "levels:crop",
     "info": "levels:info",
     "render": "pictures:render",
+    "sheet": "sheets:sheet",
     "stroke": "scripts:stroke",
     "export": "exports:export",
     "check": "exports:check",

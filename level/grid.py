@@ -71,6 +71,10 @@ class Rect(NamedTuple):
     def pad(self, cells: int) -> Rect:
         return Rect(self.row0 - cells, self.col0 - cells, self.row1 + cells, self.col1 + cells)
 
+    def shifted(self, window: Rect) -> Rect:
+        """The same cells counted from the corner of `window`."""
+        return Rect(self.row0 - window.row0, self.col0 - window.col0, self.row1 - window.row0, self.col1 - window.col0)
+
 
 NOWHERE = Rect(0, 0, 0, 0)
 

@@ -71,7 +71,7 @@ class ShoreMap:
 def shore_map(level: Level) -> ShoreMap:
     """The level's map, up to date with its height; worked out in the changed window only while a step is open."""
     shore = level.settings.shore
-    seeds = tuple(sorted((o.x, o.y) for o in level.objects.values() if isinstance(o, SeaSeed)))
+    seeds = sea_seeds(level)
     key = (level.sea_level_m, shore.range_m, shore.runup, shore.monotone, shore.smooth_m, seeds)
     have: ShoreMap | None = level.derived.get("shore_map")
     at = level.layer_revision("height")
@@ -97,18 +97,23 @@ def _whole(level: Level, seeds: tuple) -> ShoreMap:
     stride = _stride(level)
     cell_m = level.grid.cell_m * stride
     depth = level.sea_level_m - level.height[::stride, ::stride].astype(np.float32)
-    start = (depth > 0) & _open_edge(depth, seeds, cell_m)
+    start = (depth > 0) & open_edge(depth.shape, seeds, cell_m)
     least = _from_the_deep(depth, start, level.settings.shore.range_m)
     return ShoreMap(_pack(level, depth, least, cell_m), least, cell_m, stride)
 
 
-def _open_edge(depth: np.ndarray, seeds: tuple, cell_m: float) -> np.ndarray:
-    """Where the sea comes from: cells of the level's border below sea level, and seed points."""
-    start = np.zeros(depth.shape, bool)
+def sea_seeds(level: Level) -> tuple:
+    """Points (x, y) that the level marks as sea."""
+    return tuple(sorted((o.x, o.y) for o in level.objects.values() if isinstance(o, SeaSeed)))
+
+
+def open_edge(shape: tuple[int, int], seeds: tuple, cell_m: float) -> np.ndarray:
+    """Where the sea comes from if it is wet there: cells of the level's border, and seed points."""
+    start = np.zeros(shape, bool)
     start[0], start[-1], start[:, 0], start[:, -1] = True, True, True, True
     for x, y in seeds:
         row, col = round(y / cell_m), round(x / cell_m)
-        if 0 <= row < depth.shape[0] and 0 <= col < depth.shape[1]:
+        if 0 <= row < shape[0] and 0 <= col < shape[1]:
             start[row, col] = True
     return start
 

@@ -10,9 +10,10 @@ import functools
 
 import numpy as np
 
-from ..level import Settings
+from ..level import Level, Settings
 from ..level.gerstner import groups
 from ..level.params import describe, get
+from ..level.shore_field import shore_field
 from ..level.waves import wave_uniforms
 from .look import look_uniforms
 from .quality import APRON_DEPTH_M, APRON_M
@@ -72,6 +73,12 @@ def _sea_shape(settings: Settings, tier) -> dict:
         "u_chop_length_m": sea.chop_length_m,
         "u_wave_slope": tuple(slopes),
     }
+
+
+def shore_field_uniforms(level: Level) -> dict[str, float]:
+    """What lib/shore_field.glsl asks for besides its texture."""
+    field = shore_field(level)
+    return {"u_shore_distance_range_m": field.range_m, "u_shore_field_cell_m": field.cell_m}
 
 
 def set_uniforms(program, values: dict) -> None:

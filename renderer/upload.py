@@ -10,14 +10,15 @@ from ..level import BadInput, Level, Rect
 from ..level.layers import LAYERS
 from ..level.noise import lattice
 from ..level.shore import shore_map
+from ..level.shore_field import shore_field
 from ..level.walk import walkable
 from .bounds import HeightBounds
 
 
 class Uploader:
-    """`textures` by sampler name (`u_height`, `u_bed`, `u_variety`, `u_layer_NAME`, `u_walkable`), `bytes` sent.
+    """`textures` by sampler name, `bytes` sent, `sent` by name.
 
-    `sent` has the bytes by name.
+    Names are `u_height`, `u_bed`, `u_variety`, and when asked for `u_layer_NAME`, `u_walkable`, `u_shore_field`.
     """
 
     def __init__(self, ctx) -> None:
@@ -106,6 +107,18 @@ class Uploader:
             self._send("u_walkable", walkable(level, rect).astype(np.uint8) * 255, rect, "f1")
         self.seen["walkable"] = key, level.revision
         return self.textures["u_walkable"]
+
+    def shore_field(self, level: Level):
+        """Distance, direction, beach (H10, H11), RGBA8 with a linear filter; only what changed is sent."""
+        field = shore_field(level)
+        known, revision = self.seen.get("shore_field", (None, 0))
+        fresh = known is not field
+        for rect in field.changed_since(-1 if fresh else revision):
+            self._part("u_shore_field", field.packed, rect, "f1")
+        texture = self.textures["u_shore_field"]
+        texture.filter = self.ctx.LINEAR, self.ctx.LINEAR
+        self.seen["shore_field"] = field, field.revision
+        return texture
 
     def _whole(self, name: str, values: np.ndarray, dtype: str) -> None:
         self._part(name, values, Rect(0, 0, *values.shape[:2]), dtype)

@@ -2,9 +2,9 @@
 
 A row's `value` is a GLSL expression (vec3) over what shaders/view.glsl lays out for each pixel:
 `s` the G-buffer, `position` in the world, `sea` the wave function there, `bed`, `ground` (height, slope east, slope
-north), `on_sea`. `ramp` says how numbers become colours: `light` through the display transform, `colour` linear colour,
-`direct` as it is, `grey` from `low` to `high`, `signed` blue below zero and red above, `normal`, `metres` bands of xyz.
-EXR output holds the numbers themselves.
+north), `on_sea`, `shore_field` (packed, see lib/shore_field.glsl). `ramp` says how numbers become colours: `light`
+through the display transform, `colour` linear colour, `direct` as it is, `grey` from `low` to `high`, `signed` blue
+below zero and red above, `normal`, `metres` bands of xyz. EXR output holds the numbers themselves.
 """
 
 from __future__ import annotations
@@ -88,6 +88,12 @@ VIEWS: dict[str, View] = {
         View("clock_depth", "Clock depth", "The monotone depth that the shore clock reads.",
              "vec3(bed.clock.x)", "signed", -8, 8, ids="D03"),
         View("sea_mask", "Sea mask", "Water connected to the sea, and its swash.", "vec3(bed.sea.x)", ids="D03"),
+        View("shore_distance", "Shore distance", "Metres to the still shoreline: red in the sea, blue on land, "
+             "30 m to full.", "vec3(decode_distance_m(shore_field.r))", "signed", -30, 30, ids="H11"),
+        View("shore_direction", "Shore direction", "To the shore in the sea and on inland: red east, green north.",
+             "vec3(decode_direction(shore_field.gb) * 0.5 + 0.5, 0.5)", "direct", ids="H11 D06"),
+        View("beach_slice", "Beach slice", "The beach without rocks, 2 m below the still sea to 2 m above it.",
+             "vec3(decode_beach_m(shore_field.a))", "signed", -2, 2, ids="H10"),
         View("wave_a", "Wave A", "The rear smoothstep of the nearest front.", _MASK("sea.shore.a"), ids="D03"),
         View("wave_b", "Wave B", "The front smoothstep of the nearest front.", _MASK("sea.shore.b"), ids="D03"),
         View("wave_line", "Wave line", "A − B: the front line.", _MASK("sea.shore.line"), ids="D03 D04"),

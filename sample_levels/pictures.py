@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import shutil
 import sys
 import tempfile
+from io import StringIO
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
@@ -30,6 +32,11 @@ SHOTS = (
     ("island-play", "island", "play", "final", 14.0, {}),
 )
 
+# level: a sheet of its cameras under every environment (L08)
+SHEETS = ("cove", "island", "rock")
+ROCK = ROOT.parent / "shared" / "data" / "coasts" / "pyramidrock_hi.celeris.txt"
+ROCK_FLAGS = ("--cell-m", "2x1", "--rows", "south-first")
+
 
 def level_of(name: str, folder: Path) -> Path:
     """A sample level; `NAME+session` is a copy in `folder` sculpted by the recorded session."""
@@ -47,8 +54,39 @@ def level_of(name: str, folder: Path) -> Path:
     return copy
 
 
+def rock(folder: Path) -> Path | None:
+    """Pyramid Rock, Oahu, imported as the README does; None, and a line that says so, where the file isn't there."""
+    from shorewright.app.cli import main as shorewright
+
+    if not ROCK.is_file():
+        sys.stdout.write(f"no sheet of Pyramid Rock: {ROCK} is not there\n")
+        return None
+    level = folder / "rock.shore"
+    with contextlib.redirect_stdout(StringIO()):  # pictures only
+        code = shorewright(["new", str(level), "--from", str(ROCK), *ROCK_FLAGS])
+    if code:
+        raise SystemExit(f"{ROCK} cannot be imported")
+    return level
+
+
+def draw_sheets(folder: Path) -> int:
+    """A contact sheet of every level of SHEETS into docs/pictures."""
+    from shorewright.app.cli import main as shorewright
+
+    for name in SHEETS:
+        level = rock(folder) if name == "rock" else level_of(name, folder)
+        if level is not None:
+            code = shorewright(
+                ["sheet", str(level), "-o", str(PICTURES / f"sheet-{name}.jpg"), "--cameras", "play,beach,survey",
+                 "--size", "320x180", "--time", "14", "--samples", "4"]
+            )  # fmt: skip
+            if code:
+                return code
+    return 0
+
+
 def main() -> int:
-    """Draw every shot into docs/pictures and print the path of each, one a line."""
+    """Draw every shot and sheet into docs/pictures and print the path of each, one a line."""
     from shorewright.app.cli import main as shorewright
 
     PICTURES.mkdir(parents=True, exist_ok=True)
@@ -61,7 +99,7 @@ def main() -> int:
             )  # fmt: skip
             if code:
                 return code
-    return 0
+        return draw_sheets(Path(folder))
 
 
 if __name__ == "__main__":

@@ -116,6 +116,18 @@ BAD = {
         ["beach.shore", "-o", "a.png", "--frames", "0"],
         ["beach.shore", "-o", "a.png", "--frames", "2", "--fps", "0"],
     ],
+    "sheet": [
+        [],
+        ["beach.shore"],
+        ["-o", "a.png"],
+        ["nowhere.shore", "-o", "a.png"],
+        ["beach.shore", "-o", "a.exr"],
+        ["beach.shore", "-o", "folder.png"],
+        ["beach.shore", "-o", "a.png", "--cameras", "nobody"],
+        ["beach.shore", "-o", "a.png", "--environments", "blizzard"],
+        ["beach.shore", "-o", "a.png", "--size", "9000x9000"],
+        ["beach.shore", "-o", "a.png", "--set", "sea.swel=1"],
+    ],
     "stroke": [
         [],
         ["beach.shore"],
@@ -145,6 +157,7 @@ BAD = {
     "brushes": [["more"], ["--yaml"]],
     "layers": [["more"], ["--yaml"]],
     "settings": [["more"], ["--yaml"]],
+    "environments": [["more"], ["--yaml"]],
     "edit": [[], ["beach.shore"], ["nowhere.shore"], ["--yaml"]],
     "bench": [["no such bench"], ["--yaml"]],
 }

@@ -42,7 +42,7 @@ def render(
     times = _times(time, frames, fps)
     writable_parent(output)
     found = _level(level, environment, assignments)
-    options |= _checked(view, hide)
+    options |= look(view, hide)
     return _draw(found, _camera(found, camera), output, times, frames is not None, options)
 
 
@@ -87,7 +87,8 @@ def _camera(level, text: str):
     return level.camera(text)
 
 
-def _checked(view: str, hide: list[str] | None) -> dict:
+def look(view: str, hide: list[str] | None) -> dict:
+    """What is shown of the scene, as the renderer takes it; BadInput for a view or show flag that isn't there."""
     from ...renderer.show import Show
     from ...renderer.views import find_view
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..frame import Frame
+from ..uniforms import shore_field_uniforms
 
 
 def draw(frame: Frame) -> None:
@@ -17,5 +18,9 @@ def draw(frame: Frame) -> None:
     if view.name == "walkable":
         defines["WALKABLE"] = ""
         frame.textures["u_walkable"] = uploader.walkable(frame.level)
+    if "shore_field" in view.value:
+        defines["SHORE_FIELD"] = ""
+        frame.textures["u_shore_field"] = uploader.shore_field(frame.level)
+        frame.uniforms |= shore_field_uniforms(frame.level)
     frame.targets.picture.use()
     frame.shader("view.glsl", **defines).fullscreen()

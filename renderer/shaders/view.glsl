@@ -18,6 +18,9 @@ uniform float u_layer_cell_m;
 #ifdef WALKABLE
 uniform sampler2D u_walkable;
 #endif
+#ifdef SHORE_FIELD
+#include "lib/shore_field.glsl"
+#endif
 out vec4 out_value;
 
 vec3 material_colour(int material) {
@@ -45,6 +48,9 @@ void main() {
     ivec2 cell = clamp(ivec2(floor(below / u_cell_m + 0.5)), ivec2(0), textureSize(u_walkable, 0) - 1);
     bool on_level = all(greaterThanEqual(below, vec2(0.0))) && all(lessThanEqual(below, u_extent_m));
     float walkable = on_level ? texelFetch(u_walkable, cell, 0).r : 0.0;
+#endif
+#ifdef SHORE_FIELD
+    vec4 shore_field = shore_field_at(position.xy);
 #endif
     vec3 value = VIEW_VALUE;
     out_value = vec4(s.material == NOTHING ? vec3(0.0) : value, 1.0);
