@@ -38,11 +38,15 @@ UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 PASSES: tuple[Pass, ...] = (
     Pass("shadow", ("shadow.glsl",), ("u_height",), ("u_shadow",),
          "Height of the land's shadow, kept while nothing changes."),
+    Pass("prop_shadow", ("prop_shadow.glsl",), (), ("u_prop_shadow",),
+         "Heights up to which scattered things shade, kept while nothing changes.", "L03"),
     Pass("terrain", ("terrain.glsl",), ("u_height", "u_layer_cover"), GBUFFER, "Land into the G-buffer.", "D01"),
+    Pass("scatter", ("scatter.glsl",), ("u_bed", "u_noise"), GBUFFER, "Rocks, driftwood and grass.", "L09"),
+    Pass("contact", ("contact.glsl",), ("g_eye_depth",), ("g_albedo",), "Less sky at the foot of things.", "L03"),
     Pass("under", (), GBUFFER, UNDER, "Copies what lies under the water.", "D02"),
-    Pass("sea", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea into it.", "D01 D10 H05"),
+    Pass("sea", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", "u_prop_shadow", *UNDER), GBUFFER, "Sea into it.", "D01 D10 H05"),
     Pass("horizon", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea beyond the mesh.", "H21"),
-    Pass("light", ("light.glsl",), (*GBUFFER, "u_shadow"), ("hdr",), "Lights land and water, once.", "D01"),
+    Pass("light", ("light.glsl",), (*GBUFFER, "u_shadow", "u_prop_shadow"), ("hdr",), "Lights land and water, once.", "D01"),
     Pass("sky", ("sky.glsl",), ("g_eye_depth",), ("hdr",), "Sky where nothing was drawn."),
     Pass("fog", ("fog.glsl",), ("hdr", "g_eye_depth"), ("picture",), "Haze over distance.", "D38"),
     Pass("view", ("view.glsl",), (*GBUFFER, "hdr"), ("picture",), "Instead of it: a buffer or a mask.", "T11"),
@@ -219,7 +223,7 @@ class Renderer:
 
     def release(self) -> None:
         """Give back everything on the GPU."""
-        owners = (self.targets, self.meshes, self.kept.get("shadows", {}))
+        owners = (self.targets, self.meshes, self.kept.get("shadows", {}), self.kept.get("scatter", {}))
         for thing in (
             self.programs,
             self.uploader,
