@@ -97,26 +97,26 @@ def _tan(degrees: float) -> float:
 
 def boulders(p: Place) -> np.ndarray:
     """Fallen at the feet of cliffs, down into the shallows; a few on flat rock."""
-    fallen = smooth(0.22, 0.85, p.foot) * smooth(1.1, 0.6, p.slope)
-    clusters = smooth(0.35, 0.72, 0.6 * p.noise(13.0, 1) + 0.4 * p.noise(5.0, 2))
-    strewn = 0.10 * stony(p) * smooth(0.6, 0.3, p.slope) * smooth(2.5, 1.2, p.over)
-    return (1.2 * fallen + strewn) * clusters * _shallow(p, 2.6) * smooth(14.0, 7.0, p.over)
+    fallen = smooth(0.12, 0.55, p.foot) * smooth(1.1, 0.6, p.slope)
+    clusters = smooth(0.38, 0.66, 0.6 * p.noise(13.0, 1) + 0.4 * p.noise(5.0, 2))
+    strewn = 0.16 * stony(p) * smooth(0.7, 0.35, p.slope) * smooth(2.5, 1.2, p.over)
+    return (1.9 * fallen + strewn) * clusters * _shallow(p, 2.6) * smooth(12.0, 5.0, p.over)
 
 
 def stones(p: Place) -> np.ndarray:
     """Round the boulders, and in patches where the swash sorts them."""
-    fallen = smooth(0.10, 0.55, p.foot) * smooth(1.0, 0.5, p.slope) * smooth(16.0, 8.0, p.over)
-    clusters = smooth(0.40, 0.75, 0.55 * p.noise(9.0, 3) + 0.45 * p.noise(3.1, 4))
-    patches = smooth(0.60, 0.85, 0.65 * p.noise(21.0, 5) + 0.35 * p.noise(4.3, 6))
-    return (1.1 * fallen * clusters + 0.55 * _sorted(p) * patches + 0.012 * (1 - turf(p))) * _shallow(p, 1.6)
+    fallen = smooth(0.06, 0.40, p.foot) * smooth(1.0, 0.5, p.slope) * smooth(12.0, 5.0, p.over)
+    clusters = smooth(0.38, 0.68, 0.55 * p.noise(13.0, 1) + 0.45 * p.noise(3.1, 4))
+    patches = smooth(0.62, 0.84, 0.65 * p.noise(21.0, 5) + 0.35 * p.noise(4.3, 6))
+    return (1.9 * fallen * clusters + 0.8 * _sorted(p) * patches + 0.010 * (1 - turf(p))) * _shallow(p, 1.6)
 
 
 def cobbles(p: Place) -> np.ndarray:
     """Pebbles by the hand in the upper swash, as many as the ground has shingle."""
-    patches = smooth(0.52, 0.80, 0.6 * p.noise(17.0, 5) + 0.4 * p.noise(3.3, 7))
-    fallen = smooth(0.08, 0.4, p.foot) * smooth(0.8, 0.4, p.slope) * smooth(10.0, 4.0, p.over)
+    patches = smooth(0.48, 0.76, 0.6 * p.noise(21.0, 5) + 0.4 * p.noise(3.3, 7))
+    fallen = smooth(0.05, 0.3, p.foot) * smooth(0.8, 0.4, p.slope) * smooth(8.0, 3.0, p.over)
     shingle = 0.3 + 2.0 * p.settings.ground.shingle
-    return (0.9 * _sorted(p) * patches * shingle + 0.5 * fallen + 0.004 * (1 - turf(p))) * _shallow(p, 0.9)
+    return (1.6 * _sorted(p) * patches * shingle + 0.9 * fallen + 0.006 * (1 - turf(p))) * _shallow(p, 0.9)
 
 
 def _shallow(p: Place, down_m: float) -> np.ndarray:
@@ -132,12 +132,12 @@ def _sorted(p: Place) -> np.ndarray:
 
 def logs(p: Place) -> np.ndarray:
     """The strand line: where the highest waves leave what floats, in heaps."""
-    return _strand(p, 0.9) * smooth(0.60, 0.85, 0.7 * p.noise(27.0, 8) + 0.3 * p.noise(7.0, 9))
+    return 2.2 * _strand(p, 0.9) * smooth(0.44, 0.70, 0.7 * p.noise(27.0, 8) + 0.3 * p.noise(7.0, 9))
 
 
 def branches(p: Place) -> np.ndarray:
-    heaps = smooth(0.45, 0.80, 0.6 * p.noise(27.0, 8) + 0.4 * p.noise(4.0, 10))
-    return _strand(p, 0.55) * (0.06 + 0.8 * heaps)
+    heaps = smooth(0.45, 0.75, 0.6 * p.noise(27.0, 8) + 0.4 * p.noise(4.0, 10))
+    return _strand(p, 0.55) * (0.10 + 1.4 * heaps)
 
 
 def _strand(p: Place, high_m: float) -> np.ndarray:
@@ -152,14 +152,14 @@ def dune_grass(p: Place) -> np.ndarray:
     edge = p.settings.ground.sand_top_m
     first = max(1.7 * p.top_m + 0.5, edge - 1.5)
     belt = smooth(first, edge, p.over) * smooth(edge + 4.5, edge + 1.2, p.over)
-    clumps = smooth(0.34, 0.66, 0.5 * p.noise(8.0, 12) + 0.5 * p.noise(2.3, 13))
-    return 1.1 * belt * clumps * smooth(0.85, 0.5, p.slope) * (1 - stony(p)) * (1 - 0.7 * p.cover[:, 0])
+    clumps = smooth(0.36, 0.60, 0.5 * p.noise(8.0, 12) + 0.5 * p.noise(2.3, 13))
+    return 1.7 * belt * clumps * smooth(0.85, 0.5, p.slope) * (1 - stony(p)) * (1 - 0.7 * p.cover[:, 0])
 
 
 def meadow(p: Place) -> np.ndarray:
     """Tussocks in the turf."""
-    clumps = smooth(0.36, 0.70, 0.45 * p.noise(14.0, 14) + 0.55 * p.noise(3.0, 15))
-    return 0.95 * turf(p) * clumps * (1 - stony(p)) * smooth(0.9, 0.6, p.slope)
+    clumps = smooth(0.42, 0.70, 0.5 * p.noise(14.0, 14) + 0.5 * p.noise(3.0, 15))
+    return 1.6 * turf(p) * clumps * (1 - stony(p)) * smooth(0.9, 0.6, p.slope)
 
 
 def anywhere(p: Place) -> np.ndarray:
@@ -190,9 +190,9 @@ SCATTER: dict[str, Kind] = {
              True, 0.0, (0.16, 0.6), 1.6, WOOD),
         Kind("branch", "Branches", "driftwood", 1.45, (0.25, 1.1), 1.7, branches, on_land, 0.40, "branch", 1.0, 0.008,
              True, 0.0, (0.2, 0.4), 0.6, (0.95, 0.75, 0.35)),
-        Kind("dune_grass", "Dune grass", "grass", 0.64, (0.42, 0.95), 1.2, dune_grass, above_swash, 0.85, "dune_grass",
+        Kind("dune_grass", "Dune grass", "grass", 0.62, (0.40, 0.95), 1.3, dune_grass, above_swash, 0.85, "dune_grass",
              0.25, 0.05, False, 1.0, (0.75, 0.55), 1.0, (0.55, 0.75, 0.25)),
-        Kind("meadow", "Tussocks", "grass", 0.80, (0.16, 0.42), 1.2, meadow, above_swash, 0.55, "tussock",
+        Kind("meadow", "Tussocks", "grass", 0.74, (0.15, 0.40), 1.3, meadow, above_swash, 0.55, "tussock",
              0.4, 0.05, False, 0.7, (0.8, 0.5), 0.75, GREEN),
     )
 }  # fmt: skip

@@ -157,6 +157,12 @@ def _limb(rng: np.random.Generator, start, way, length: float, thick: float, thi
     return tube(spine[pick], radius[pick], sides, lobes[pick][:, :sides])
 
 
+def _sunk(made: Mesh, depth: float) -> Mesh:
+    """The same with its lowest point that deep in the ground."""
+    drop = made.vertices[:, 2].min() + depth
+    return Mesh(made.vertices - np.array([0, 0, drop], np.float32), made.normals, made.sway, made.indices)
+
+
 def log(rng: np.random.Generator, detail: int) -> Mesh:
     """A trunk with the stumps of branches, half in the sand; some keep the foot of their roots."""
     thick = rng.uniform(0.042, 0.062)
@@ -173,7 +179,7 @@ def log(rng: np.random.Generator, detail: int) -> Mesh:
             way = (-0.55, np.cos(turn), np.sin(turn))
             parts.append(_limb(rng, (-0.47, 0, 0.45 * thick), way, rng.uniform(0.07, 0.12), 0.55 * thick,
                                0.16 * thick, min(detail + 1, 2), 0.3))  # fmt: skip
-    return _join(parts)
+    return _sunk(_join(parts), 0.8 * thick)
 
 
 def branch(rng: np.random.Generator, detail: int) -> Mesh:
@@ -186,7 +192,7 @@ def branch(rng: np.random.Generator, detail: int) -> Mesh:
         if detail < 2:
             parts.append(_limb(rng, (at, 0, 0.5 * thick), way, rng.uniform(0.2, 0.4), 0.55 * thick, 0.18 * thick,
                                min(detail + 1, 2), 0.25))  # fmt: skip
-    return _join(parts)
+    return _sunk(_join(parts), 0.7 * thick)
 
 
 # Grass
@@ -208,36 +214,40 @@ def blade(root, azimuth: float, lean: float, droop: float, length: float, width:
     normal = np.sin(angle)[:, None] * (0.0, 0.0, 1.0) + np.cos(angle)[:, None] * out * 0.6 + np.array([0, 0, 0.35])
     normal /= np.linalg.norm(normal, axis=1, keepdims=True)
     row = np.arange(steps - 1)[:, None] * 2
-    quads = np.concatenate([row + [0, 1, 3], row + [0, 3, 2]])
+    quads = np.concatenate([row + np.array([0, 1, 3]), row + np.array([0, 3, 2])])
     indices = np.concatenate([quads, [[2 * steps - 2, 2 * steps - 1, 2 * steps]]])
     return vertices, np.concatenate([np.repeat(normal[:-1], 2, 0), normal[-1:]]), np.append(np.repeat(t[:-1], 2), 1), \
         indices.astype(int)  # fmt: skip
 
 
-def tuft(rng: np.random.Generator, detail: int, blades: int, spread: float, droop: float, width: float) -> Mesh:
-    """Blades from one root; with less detail there are fewer, each as wide as those it stands for."""
-    roots = rng.uniform(-1, 1, (blades, 2)) * 0.10
-    azimuth = np.arange(blades) * 2.399963 + rng.uniform(-0.5, 0.5, blades)  # the golden angle keeps them apart
-    lean = spread * rng.uniform(0.05, 1.0, blades) ** 1.3
-    length = rng.uniform(0.6, 1.08, blades)
-    droops = droop * rng.uniform(0.3, 1.25, blades)
-    keep, wider, steps = ((blades, 1.0, 4), (blades // 3 + 1, 2.1, 2), (max(blades // 6, 3), 4.2, 1))[detail]
+def tuft(
+    rng: np.random.Generator, detail: int, blades: int, wide: float, spread: float, droop: float, width: float
+) -> Mesh:
+    """Blades from roots within `wide`; with less detail there are fewer, each as wide as those it stands for."""
+    turn = np.arange(blades) * 2.399963 + rng.uniform(-0.5, 0.5, blades)  # the golden angle keeps them apart
+    out = np.sqrt(rng.uniform(0, 1, blades))
+    roots = wide * out[:, None] * np.stack([np.cos(turn), np.sin(turn)], 1)
+    azimuth = turn + rng.uniform(-0.8, 0.8, blades)
+    lean = spread * (0.25 * out + 0.75 * rng.uniform(0, 1, blades) ** 1.5)
+    length = rng.uniform(0.55, 1.1, blades) * (1.05 - 0.25 * out)
+    droops = droop * rng.uniform(0.25, 1.3, blades)
+    keep, wider, steps = ((blades, 1.0, 4), (blades // 2, 1.6, 2), (max(blades // 4, 5), 2.8, 1))[detail]
     parts = []
     for i in range(keep):
-        root = (roots[i, 0], roots[i, 1], -0.03)
-        bent = lean[i] + (0.35 * droops[i] if steps == 1 else 0.0)
-        parts.append(blade(root, azimuth[i], bent, 0.0 if steps == 1 else droops[i], length[i], width * wider, steps))
+        bent = lean[i] + (0.4 * droops[i] if steps == 1 else 0.0)
+        parts.append(blade((*roots[i], -0.03), azimuth[i], bent, 0.0 if steps == 1 else droops[i], length[i],
+                           width * wider, steps))  # fmt: skip
     return _join(parts)
 
 
 def dune_grass(rng: np.random.Generator, detail: int) -> Mesh:
     """Marram: upright, stiff, tips that arch over."""
-    return tuft(rng, detail, 22, 0.55, 1.0, 0.016)
+    return tuft(rng, detail, 26, 0.20, 0.70, 1.25, 0.015)
 
 
 def tussock(rng: np.random.Generator, detail: int) -> Mesh:
     """Short meadow grass, wide and bushy."""
-    return tuft(rng, detail, 18, 1.05, 0.6, 0.036)
+    return tuft(rng, detail, 24, 0.75, 0.95, 0.9, 0.042)
 
 
 MESHES: dict[str, Family] = {

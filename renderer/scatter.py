@@ -1,4 +1,4 @@
-"""Which scattered things a picture or a shadow map needs (L09): gathered from tiles, thinned, culled, sent when changed.
+"""Which scattered things a picture or a shadow map needs (L09): gathered from tiles, thinned, culled, sent on change.
 
 Gathering is NumPy over the tiles in reach; what comes out is one array a mesh, kept on the GPU until camera, level or
 tier change. Everything an instance needs is camera-relative, worked out in float64.
@@ -18,7 +18,11 @@ from .quality import Tier
 
 FADE = 0.2  # last part of its distance over which a thing shrinks away
 LEAST_PX = 0.9  # smaller ones are left out
-DETAIL_PX = {"rock": (70, 16), "grass": (130, 34), "driftwood": (160, 40)}  # sizes up to which a mesh is the next coarser
+DETAIL_PX = {
+    "rock": (50, 12),
+    "grass": (75, 24),
+    "driftwood": (140, 40),
+}  # up to which a mesh is the next coarser
 FLOATS = 12  # an instance: foot xyz, scale; cos and sin of yaw, normal xy; tint, open, phase, size in metres
 CONTACT_FLOATS = 10  # foot xyz, radius; cos and sin of yaw, half length, darkness; normal xy
 
@@ -55,8 +59,10 @@ def gather(level: Level, eye: Eye, tier: Tier, reached: dict[str, float] | None 
 def near(level: Level, name: str, eye: Eye, far: float) -> np.ndarray:
     """Instances of the tiles within a distance."""
     x, y = eye.position[:2]
-    tiles = [tile for tile in tiles_within(level, x - far, y - far, x + far, y + far)
-             if np.hypot(*np.maximum(np.abs((np.array(tile) + 0.5) * TILE_M - (x, y)) - TILE_M / 2, 0)) < far]  # fmt: skip
+    tiles = tiles_within(level, x - far, y - far, x + far, y + far)
+    middles = (np.array(tiles, np.float64).reshape(-1, 2) + 0.5) * TILE_M
+    away = np.linalg.norm(np.maximum(np.abs(middles - (x, y)) - TILE_M / 2, 0), axis=1)
+    tiles = [tile for tile, off in zip(tiles, away, strict=True) if off < far]
     tiles = tiles if eye.planes is None else [tile for tile in tiles if _tile_seen(level, tile, eye)]
     return np.concatenate([EMPTY, *scatter_tiles(level, name, tiles).values()])
 

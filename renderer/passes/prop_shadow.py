@@ -1,7 +1,7 @@
 """Shadow map of scattered things (L03): how high above a place the highest of them stands on the way to the sun.
 
-The world is slid along the sun's rays onto a level plane, so a texel is a piece of ground whatever the sun's height, and
-the map's grid is fixed to the world. The square moves in large steps: while the camera stays near, it is kept.
+The world is slid along the sun's rays onto a level plane, so a texel is a piece of ground whatever the sun's height,
+and the map's grid is fixed to the world. The square moves in large steps: while the camera stays near, it is kept.
 """
 
 from __future__ import annotations

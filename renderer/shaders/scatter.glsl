@@ -80,7 +80,7 @@ Thing thing_at(vec3 p, vec3 n, float pixel_m, float height, out float porous) {
     float lod = log2(max(pixel_m * NOISE_TEXELS * 0.9, 1e-4));
     vec4 grain = textureLod(u_noise, along * vec2(1.0, 3.0), lod);
     vec4 broad = textureLod(u_noise, along * 0.5 + 0.3, lod - 2.0);
-    vec3 tint = mix(vec3(0.30, 0.265, 0.225), vec3(0.46, 0.435, 0.395), 0.35 + 0.65 * v_look.x);
+    vec3 tint = mix(vec3(0.24, 0.205, 0.165), vec3(0.38, 0.35, 0.31), 0.2 + 0.8 * v_look.x);
     tint = mix(tint, vec3(0.27, 0.20, 0.14), 0.35 * smoothstep(0.55, 0.9, broad.g));
     tint *= 0.62 + 0.55 * grain.g + 0.22 * (grain.b - 0.5);
     tint *= 1.0 - 0.6 * smoothstep(0.78, 0.93, grain.a);  // drying cracks
