@@ -12,10 +12,11 @@ from ..level.params import Section, sentence
 from .effects import Effect
 from .effects.flatten import Flatten
 from .effects.lift import Lower, Raise
+from .effects.paint import Paint
 from .effects.ramp import Ramp
 from .effects.smooth import Smooth
 from .footprint import Footprint, Round, Strip
-from .params import FlattenParams, RaiseParams, RampParams, SmoothParams
+from .params import FlattenParams, PaintParams, RaiseParams, RampParams, SmoothParams
 from .path import AlongPath, LinePath
 
 
@@ -110,6 +111,45 @@ BRUSHES: dict[str, Brush] = {
             RampParams,
             "A straight grade from press to release: steeper slows a wave, flatter lets it run. Ctrl only digs.",
             inverse="Cut ramp",
+        ),
+        Brush(
+            "rocks",
+            "Rocks",
+            "6",
+            Paint,
+            Round,
+            AlongPath,
+            "scatter",
+            PaintParams,
+            "Boulders, stones and cobbles, more of them than the rules lay out. Ctrl clears them.",
+            inverse="Clear rocks",
+            channels=("rocks",),
+        ),
+        Brush(
+            "driftwood",
+            "Driftwood",
+            "7",
+            Paint,
+            Round,
+            AlongPath,
+            "scatter",
+            PaintParams,
+            "Logs and branches washed ashore. Ctrl clears them.",
+            inverse="Clear driftwood",
+            channels=("driftwood",),
+        ),
+        Brush(
+            "tufts",
+            "Tufts",
+            "8",
+            Paint,
+            Round,
+            AlongPath,
+            "scatter",
+            PaintParams,
+            "Dune grass and tussocks that the wind moves. Ctrl clears them.",
+            inverse="Clear tufts",
+            channels=("grass",),
         ),
     )
 }

@@ -41,3 +41,9 @@ class RampParams(BrushParams):
     strength: float = param(1.0, 0, 1, "", "How far the ground comes to the grade.")
     falloff: float = param(0.5, 0, 1, "", "Part of the half width over which the shoulders meet the ground.")
     side: Literal["both", "cut", "fill"] = param("both", doc="Move ground both ways, only down, or only up.")
+
+
+class PaintParams(BrushParams):
+    size_m: float = param(8.0, 0.01, 100_000, "m", "Radius.", soft=(1, 100))
+    strength: float = param(0.8, 0, 2, "", "What a stroke changes at full pressure; the layer goes from −1 to 1.")
+    mode: Literal["add", "remove", "reset"] = param("add", doc="Put more there, clear it, or leave it to the rules.")

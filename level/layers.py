@@ -17,7 +17,10 @@ WEATHER_GRID = Grid(512, 512, 70_000 / 512)  # wraps; its own origin
 
 @dataclass(frozen=True)
 class Layer:
-    """A row: `half` layers are rounded to float16 when a stroke is released and in the file."""
+    """A row: `half` layers are rounded to float16 when a stroke is released and in the file.
+
+    Paint keeps between `low` and `high`.
+    """
 
     name: str
     label: str
@@ -26,20 +29,54 @@ class Layer:
     doc: str
     half: bool = True
     grid: str = "level"
+    low: float = 0.0
+    high: float = 1.0
 
 
 LAYERS: dict[str, Layer] = {
     row.name: row
     for row in (
-        Layer("height", "Height", ("height",), "m", "Ground: the imported base plus what was sculpted.", half=False),
-        Layer("flow", "Flow", ("east", "north"), "m/s", "Painted current, added to the procedural one.", half=False),
+        Layer(
+            "height",
+            "Height",
+            ("height",),
+            "m",
+            "Ground: the imported base plus what was sculpted.",
+            half=False,
+            low=-12_000.0,
+            high=12_000.0,
+        ),
+        Layer(
+            "flow",
+            "Flow",
+            ("east", "north"),
+            "m/s",
+            "Painted current, added to the procedural one.",
+            half=False,
+            low=-20.0,
+            high=20.0,
+        ),
         Layer("foam", "Foam", ("transient", "constant"), "", "Painted foam: with the waves, and always."),
-        Layer("river_surface", "River surface", ("height",), "m", "Surface of water that isn't the sea.", half=False),
+        Layer(
+            "river_surface",
+            "River surface",
+            ("height",),
+            "m",
+            "Surface of water that isn't the sea.",
+            half=False,
+            low=-12_000.0,
+            high=12_000.0,
+        ),
         Layer("river_mask", "River mask", ("mask",), "", "Where that water is."),
         Layer("river_foam", "River foam", ("stagnant", "turbulent"), "", "Painted foam on rivers."),
         Layer("cover", "Cover", ("sand", "rock", "grass", "always_wet"), "", "Ground painted over the rules."),
         Layer(
-            "scatter", "Scatter", ("rocks", "driftwood", "grass"), "", "Things added to the rules, −1 none … 1 many."
+            "scatter",
+            "Scatter",
+            ("rocks", "driftwood", "grass"),
+            "",
+            "Things added to the rules, −1 none … 1 many.",
+            low=-1.0,
         ),
         Layer("puddle_keepout", "No puddles", ("mask",), "", "Where no puddle forms."),
         Layer("shelter", "Shelter", ("mask",), "", "Where no rain falls."),

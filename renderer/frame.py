@@ -39,12 +39,17 @@ PASSES: tuple[Pass, ...] = (
     Pass("lobes", ("lobes.glsl",), ("u_sky",), ("u_lobes",), "The sky as things mirror it, kept.", "L02"),
     Pass("shadow", ("shadow.glsl",), ("u_height",), ("u_shadow",),
          "Height of the land's shadow, kept while nothing changes."),
+    Pass("prop_shadow", ("prop_shadow.glsl",), (), ("u_prop_shadow",),
+         "Heights up to which scattered things shade, kept while nothing changes.", "L03"),
     Pass("terrain", ("terrain.glsl",), ("u_height", "u_layer_cover"), GBUFFER, "Land into the G-buffer.", "D01"),
+    Pass("scatter", ("scatter.glsl",), ("u_bed", "u_noise"), GBUFFER, "Rocks, driftwood and grass.", "L09"),
+    Pass("contact", ("contact.glsl",), ("g_eye_depth",), ("g_albedo",), "Less sky at the foot of things.", "L03"),
     Pass("under", (), GBUFFER, UNDER, "Copies what lies under the water.", "D02"),
     Pass("sea", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea into it.", "D01 D10 H05"),
     Pass("horizon", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea beyond the mesh.", "H21"),
     Pass("lookdev", ("lookdev.glsl",), (), GBUFFER, "In its view: balls and a card.", "L08"),
-    Pass("light", ("light.glsl",), (*GBUFFER, "u_shadow", "u_lobes"), ("hdr",), "Lights all of it, once.", "D01"),
+    Pass("light", ("light.glsl",), (*GBUFFER, "u_shadow", "u_prop_shadow", "u_lobes"), ("hdr",),
+         "Lights all of it, once.", "D01"),
     Pass("sky", ("sky.glsl",), ("g_eye_depth",), ("hdr",), "Sky where nothing was drawn."),
     Pass("fog", ("fog.glsl",), ("hdr", "g_eye_depth", "u_aerial"), ("picture",), "Air, haze.", "L02 D38"),
     Pass("view", ("view.glsl",), (*GBUFFER, "hdr"), ("picture",), "Instead of it: a buffer or a mask.", "T11"),
@@ -226,7 +231,7 @@ class Renderer:
 
     def release(self) -> None:
         """Give back everything on the GPU."""
-        owners = (self.targets, self.meshes, self.kept.get("shadows", {}))
+        owners = (self.targets, self.meshes, self.kept.get("shadows", {}), self.kept.get("scatter", {}))
         kept = [thing for thing in self.kept.values() if hasattr(thing, "release")]
         parts = (self.programs, self.uploader, self.generated, self.sky, *kept)
         for thing in (*parts, *(t for held in owners for t in held.values())):

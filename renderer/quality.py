@@ -26,6 +26,9 @@ class Tier:
     sea_chunk: int
     sea_distance_m: float  # from there on the sea is the horizon plane
     shadow_size: int  # samples a side of the shadow map
+    prop_shadow_size: int  # of the map of scattered things' shadows
+    scatter_share: float  # of the grass that is drawn; a tier draws what the one below draws, and more
+    scatter_reach: float  # of the distance up to which things are drawn
     scale: float
     sea_exact: bool  # the drawn surface is found along each pixel's ray: the twin's within 3 cm, not the mesh's
     mips_blended: bool  # detail textures blend between two mip levels, which in software costs a second fetch
@@ -34,9 +37,9 @@ class Tier:
 TIERS: dict[str, Tier] = {
     tier.name: tier
     for tier in (
-        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 0.5, False, False),
-        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1.0, True, True),
-        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 1.0, True, True),
+        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 512, 0.4, 0.7, 0.5, False, False),
+        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1024, 0.75, 1.0, 1.0, True, True),
+        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 2048, 1.0, 1.4, 1.0, True, True),
     )
 }
 

@@ -33,12 +33,13 @@ SHOW_FLAGS: dict[str, Flag] = {
         Flag("painted_foam", "Painted foam", "Foam of the foam layer.", "", "T11"),
         Flag("refraction", "Refraction", "The bed bent by the waves above it.", "", "T11 D02"),
         Flag("caustics", "Caustics", "Bright lines that waves draw on the bed.", "", "T11"),
-        Flag("shadows", "Shadows", "Shadows of the land.", "light.shadows"),
+        Flag("shadows", "Shadows", "Shadows of land and scattered things.", "light.shadows"),
         Flag("fog", "Fog", "Haze over distance.", "fog.on", "T11 D38"),
         Flag("air", "Air", "Light that clear air adds and takes over distance.", "", "T11 L02"),
         Flag("clouds", "Clouds", "High cirrus.", "", "T11"),
         Flag("sky", "Sky", "The sky behind everything; off, it is black."),
         Flag("antialias", "Smooth edges", "Edges of single frames smoothed."),
+        Flag("scatter", "Scatter", "Rocks, driftwood and grass.", "scatter.on", "T11 L09"),
     )
 }
 

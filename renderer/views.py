@@ -46,6 +46,8 @@ def _layer_view(row) -> View:
     ramp = "signed" if row.name == "river_surface" else "direct" if len(row.channels) > 1 else "grey"
     if row.name == "flow":
         value = "vec3(painted.rg * 0.25 + 0.5, 0.5)"
+    if row.name == "scatter":
+        value = "painted.rgb * 0.5 + 0.5"
     return View(
         f"layer_{row.name}", f"Layer: {row.label}", row.doc, value, ramp, -20.0 if signed else 0.0,
         20.0 if signed else 1.0, layer=row.name,
@@ -75,8 +77,13 @@ VIEWS: dict[str, View] = {
              "vec3(s.eye_depth)", "grey", 0, 400, ids="D01"),
         View("position", "Position", "World position, bands of 10 m.", "position", "metres", ids="D01"),
         View("hdr", "Light", "Lit scene before haze.", "lit", "light", ids="D01"),
-        View("shadow", "Sun visibility", "White in the sun, black in the shadow of the land.",
+        View("shadow", "Sun visibility", "White in the sun, black in the shadow of land and things.",
              "vec3(sun_visibility(position))", ids="L03"),
+        View("prop_shadow", "Shadow of things", "Black in the shadow of rocks, driftwood and grass alone.",
+             "vec3(prop_visibility(position))", ids="L03"),
+        View("scatter", "Scatter", "Kinds of scattered things in colours, on ground in grey.",
+             "s.material == LAND && s.foam > 0.5 ? s.albedo : vec3(0.12 * s.open + 0.1 * sun_visibility(position))",
+             "direct", ids="L09"),
         View("height", "Height", "Ground over (red) and below (blue) the still sea.",
              "vec3(ground.x - u_still_m)", "signed", -20, 20),
         View("slope", "Slope", "Steepness of the ground, 60° to white.",

@@ -32,8 +32,8 @@ def test_a_row_is_complete(brush):
         assert row.kind == "choice" or row.low <= row.default <= row.high
 
 
-def test_the_five_brushes_have_their_own_keys():
-    assert list(BRUSHES) == ["raise", "lower", "smooth", "flatten", "ramp"]
+def test_the_brushes_have_their_own_keys():
+    assert list(BRUSHES) == ["raise", "lower", "smooth", "flatten", "ramp", "rocks", "driftwood", "tufts"]
     assert len({brush.key for brush in BRUSHES.values()}) == len(BRUSHES)
 
 

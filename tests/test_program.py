@@ -9,7 +9,8 @@ from shorewright.renderer.uniforms import set_uniforms
 from shorewright.renderer.views import VIEWS
 
 VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": ""}),
-            "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "overlay.glsl": ({}, {"WALKABLE": ""})}  # fmt: skip
+            "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
+            "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)
     for name in sorted(path.name for path in SHADERS.glob("*.glsl"))

@@ -55,7 +55,7 @@ def test_every_brush_works_on_every_layer(name, layer):
     assert state(level) == after
 
 
-@pytest.mark.parametrize("name", BRUSHES)
+@pytest.mark.parametrize("name", [name for name in BRUSHES if BRUSHES[name].layer == "height"])
 def test_channels_are_painted_like_layers_of_their_own(name):
     """What a brush does to four channels it does to each of them alone."""
     together = painted_level("cover")

@@ -12,9 +12,7 @@ from functools import reduce
 import numpy as np
 
 from ...level import Rect
-from ...level.sun import light_angles
 from ..frame import Frame
-from ..look import sun_direction
 
 SUN_RADIUS_RAD = 0.00465
 KEPT = 2  # maps of different sizes: what moves and what stands still may differ in tier
@@ -53,8 +51,8 @@ def draw(frame: Frame) -> None:
     grid, light = frame.level.grid, frame.level.settings.light
     shadow = _map(frame)
     cell_m = grid.extent_m[0] / (shadow.size[0] - 1)
-    azimuth_deg, elevation_deg = light_angles(light)
-    key = frame.renderer.uploader.wholes, azimuth_deg, elevation_deg
+    sun = tuple(float(v) for v in frame.uniforms["u_sun_direction"])
+    key = frame.renderer.uploader.wholes, sun
     if light.shadows:
         changed = frame.level.changed_since("height", shadow.revision) if shadow.key == key else [grid.rect]
         if changed:
@@ -62,8 +60,7 @@ def draw(frame: Frame) -> None:
         shadow.key, shadow.revision = key, frame.level.revision
     frame.textures["u_shadow"] = shadow.texture
     frame.uniforms["u_shadow_cell_m"] = cell_m
-    slant = math.cos(math.radians(max(elevation_deg, 1.0))) ** 2
-    frame.uniforms["u_shadow_spread"] = SUN_RADIUS_RAD / max(slant, 0.05)
+    frame.uniforms["u_shadow_spread"] = SUN_RADIUS_RAD / max(1.0 - sun[2] ** 2, 0.05)
 
 
 def _map(frame: Frame) -> ShadowMap:
@@ -79,8 +76,8 @@ def _map(frame: Frame) -> ShadowMap:
 
 
 def _march(frame: Frame, shadow: ShadowMap, cell_m: float, changed: Rect) -> None:
-    light, extent = frame.level.settings.light, frame.level.grid.extent_m
-    east, north, up = sun_direction(*light_angles(light))
+    extent = frame.level.grid.extent_m
+    east, north, up = (float(v) for v in frame.uniforms["u_sun_direction"])
     flat = math.hypot(east, north)
     if flat < 1e-3:
         east, north, flat = 0.0, 1.0, 1e-3  # at the zenith nothing throws a shadow

@@ -1,0 +1,260 @@
+"""Meshes of scattered things, made here: rocks, driftwood, grass (L09); each with levels of detail, finest first.
+
+All stand on z = 0; what is below lies in the ground. A rock's unit is its radius, a log's its length (along x), a
+tuft's its height. Triangles run counter-clockwise seen from outside; blades have two sides.
+"""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True)
+class Mesh:
+    """`vertices`, `normals` float32 `(n, 3)`, `sway` `(n,)` 0 at the root … 1 at the tip, `indices` int32 `(m, 3)`."""
+
+    vertices: np.ndarray
+    normals: np.ndarray
+    sway: np.ndarray
+    indices: np.ndarray
+
+    @property
+    def radius(self) -> float:
+        """Of the sphere round the foot that holds it."""
+        return float(np.sqrt((self.vertices**2).sum(axis=1)).max())
+
+
+@dataclass(frozen=True)
+class Family:
+    make: object  # (seed, detail) → Mesh
+    variants: int
+    details: int = 3
+
+
+def mesh(family: str, variant: int, detail: int) -> Mesh:
+    """A variant of a family at a level of detail, 0 the finest."""
+    return _made(family, variant, detail)
+
+
+def variants(family: str) -> int:
+    return MESHES[family].variants
+
+
+@functools.cache
+def _made(family: str, variant: int, detail: int) -> Mesh:
+    row = MESHES[family]
+    return row.make(np.random.default_rng([sum(map(ord, family)), variant]), detail)
+
+
+def _join(parts: list[tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]]) -> Mesh:
+    """One mesh of (vertices, normals, sway, indices)."""
+    starts = np.cumsum([0, *(len(part[0]) for part in parts[:-1])])
+    columns = [np.concatenate([part[i] for part in parts]).astype(np.float32) for i in range(3)]
+    indices = np.concatenate([part[3] + start for part, start in zip(parts, starts, strict=True)])
+    return Mesh(*columns, indices.astype(np.int32))
+
+
+def vertex_normals(vertices: np.ndarray, indices: np.ndarray) -> np.ndarray:
+    """Unit normals `(n, 3)`, those of the faces weighed by their area."""
+    a, b, c = (vertices[indices[:, i]] for i in range(3))
+    face = np.cross(b - a, c - a)
+    normals = np.zeros_like(vertices)
+    for corner in range(3):
+        np.add.at(normals, indices[:, corner], face)
+    return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-12)
+
+
+# Rocks
+
+
+@functools.cache
+def icosphere(level: int) -> tuple[np.ndarray, np.ndarray]:
+    """Unit sphere: vertices `(n, 3)` and triangles `(20 · 4^level, 3)`."""
+    g = (1 + 5**0.5) / 2
+    v = np.array([(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g),
+                  (0, -1, -g), (0, 1, -g), (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1)], float)  # fmt: skip
+    f = np.array([(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2),
+                  (10, 7, 6), (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5),
+                  (2, 4, 11), (6, 2, 10), (8, 6, 7), (9, 8, 1)])  # fmt: skip
+    for _ in range(level):
+        edges = np.sort(f[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
+        unique, where = np.unique(edges, axis=0, return_inverse=True)
+        middle = where.reshape(-1, 3) + len(v)
+        v = np.concatenate([v, v[unique].mean(axis=1)])
+        f = np.concatenate([np.stack(t, 1) for t in (
+            (f[:, 0], middle[:, 0], middle[:, 2]), (f[:, 1], middle[:, 1], middle[:, 0]),
+            (f[:, 2], middle[:, 2], middle[:, 1]), (middle[:, 0], middle[:, 1], middle[:, 2]))])  # fmt: skip
+    return v / np.linalg.norm(v, axis=1, keepdims=True), f
+
+
+def rock(rng: np.random.Generator, detail: int, sharp: float = 22.0, planes: int = 13) -> Mesh:
+    """A ball cut by planes whose edges the sea has worn: r = (Σ (d · n / offset)^p)^(−1/p), a larger p the sharper."""
+    directions, indices = icosphere(3 - detail)
+    normals = rng.normal(size=(planes, 3))
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    offsets = rng.uniform(0.62, 1.0, planes)
+    turns = rng.normal(size=(6, 3)) * np.array([2.2, 2.2, 2.2, 5.0, 5.0, 5.0])[:, None]
+    phases, squash = rng.uniform(0, 6.28, 6), np.array([1.0, rng.uniform(0.66, 0.92), rng.uniform(0.5, 0.72)])
+    lean = rng.normal(size=3) * (0.25, 0.25, 0.0)
+    cut = np.maximum(directions @ normals.T, 0.0) / offsets
+    r = (np.sum(cut**sharp, axis=1) + 0.9**-sharp * 0.5) ** (-1 / sharp)
+    waves = np.sin(directions @ turns.T + phases) * np.array([0.05, 0.05, 0.05, 0.018, 0.018, 0.018])
+    vertices = directions * (r * (1 + waves.sum(axis=1)))[:, None] * squash
+    vertices[:, 2] += vertices[:, :2] @ lean[:2]
+    vertices[:, :2] -= (vertices[:, :2].max(axis=0) + vertices[:, :2].min(axis=0)) / 2
+    vertices /= np.sqrt((vertices[:, :2] ** 2).sum(axis=1).max())
+    low, high = vertices[:, 2].min(), vertices[:, 2].max()
+    vertices[:, 2] -= low + 0.36 * (high - low)  # more than a third is in the ground
+    return _join([(vertices, vertex_normals(vertices, indices), np.zeros(len(vertices)), indices)])
+
+
+def pebble(rng: np.random.Generator, detail: int) -> Mesh:
+    """Rolled round."""
+    return rock(rng, detail + 1, 6.0, 9)
+
+
+# Driftwood
+
+
+def tube(spine: np.ndarray, radius: np.ndarray, sides: int, lobes: np.ndarray) -> tuple:
+    """A closed tube round a line `(n, 3)`: `radius` `(n,)` metres, `lobes` `(n, sides)` factors on it."""
+    tangent = np.gradient(spine, axis=0)
+    tangent /= np.linalg.norm(tangent, axis=1, keepdims=True)
+    aside = np.cross(np.array([0.13, 0.21, 1.0]), tangent)
+    aside /= np.linalg.norm(aside, axis=1, keepdims=True)
+    over = np.cross(tangent, aside)
+    angle = np.arange(sides) * 2 * np.pi / sides
+    rings = spine[:, None] + (radius[:, None] * lobes)[..., None] * (
+        aside[:, None] * np.cos(angle)[:, None] + over[:, None] * np.sin(angle)[:, None])  # fmt: skip
+    vertices = np.concatenate([rings.reshape(-1, 3), spine[[0, -1]] + tangent[[0, -1]] * (radius[[0, -1], None] *
+                               np.array([[-0.3], [0.3]]))])  # fmt: skip
+    n = len(spine)
+    ring, side = np.meshgrid(np.arange(n - 1), np.arange(sides), indexing="ij")
+    a, b = ring * sides + side, ring * sides + (side + 1) % sides
+    walls = np.concatenate([np.stack([a, b, b + sides], -1), np.stack([a, b + sides, a + sides], -1)]).reshape(-1, 3)
+    s = np.arange(sides)
+    first = np.stack([np.full(sides, n * sides), (s + 1) % sides, s], 1)
+    last = np.stack([np.full(sides, n * sides + 1), (n - 1) * sides + s, (n - 1) * sides + (s + 1) % sides], 1)
+    indices = np.concatenate([walls, first, last])
+    return vertices, vertex_normals(vertices, indices), np.zeros(len(vertices)), indices
+
+
+def _limb(rng: np.random.Generator, start, way, length: float, thick: float, thin: float, detail: int, bend: float):
+    """A tapered, bent, knotty tube."""
+    count, sides = ((13, 9), (7, 6), (3, 4))[detail]
+    t = np.linspace(0, 1, 13)
+    way = np.asarray(way, float) / np.linalg.norm(way)
+    wander = np.cumsum(rng.normal(size=(13, 3)) * bend * length / 13 * (1.0, 1.0, 0.5), axis=0)
+    wander -= t[:, None] * wander[-1]
+    spine = np.asarray(start, float) + way * (t[:, None] * length) + wander
+    radius = (thick + (thin - thick) * t**0.8) * (1 + 0.10 * rng.normal(size=13))
+    lobes = 1 + 0.10 * rng.normal(size=(13, 9))
+    lobes = (lobes + np.roll(lobes, 1, 0) + np.roll(lobes, -1, 0)) / 3
+    pick = np.linspace(0, 12, count).round().astype(int)
+    return tube(spine[pick], radius[pick], sides, lobes[pick][:, :sides])
+
+
+def _sunk(made: Mesh, depth: float) -> Mesh:
+    """The same with its lowest point that deep in the ground."""
+    drop = made.vertices[:, 2].min() + depth
+    return Mesh(made.vertices - np.array([0, 0, drop], np.float32), made.normals, made.sway, made.indices)
+
+
+def log(rng: np.random.Generator, detail: int) -> Mesh:
+    """A trunk with the stumps of branches, half in the sand; some keep the foot of their roots."""
+    thick = rng.uniform(0.042, 0.062)
+    trunk = _limb(rng, (-0.5, 0, 0.45 * thick), (1, 0, rng.uniform(0.0, 0.03)), 1.0, thick, 0.55 * thick, detail, 0.10)
+    parts = [trunk]
+    for _ in range(int(rng.integers(1, 4))):
+        at, turn = rng.uniform(-0.2, 0.42), rng.uniform(-0.4, 2.2)
+        way = (rng.uniform(0.3, 0.9), np.cos(turn), max(np.sin(turn), 0.15))
+        size = rng.uniform(0.05, 0.17)
+        if detail < 2:
+            parts.append(_limb(rng, (at, 0, 0.45 * thick), way, size, 0.42 * thick, 0.2 * thick, detail, 0.15))
+    if rng.random() < 0.6 and detail < 2:
+        for turn in np.arange(5) * 1.2566 + rng.uniform(0, 1):
+            way = (-0.55, np.cos(turn), np.sin(turn))
+            parts.append(_limb(rng, (-0.47, 0, 0.45 * thick), way, rng.uniform(0.07, 0.12), 0.55 * thick,
+                               0.16 * thick, min(detail + 1, 2), 0.3))  # fmt: skip
+    return _sunk(_join(parts), 0.8 * thick)
+
+
+def branch(rng: np.random.Generator, detail: int) -> Mesh:
+    """A bent stick with a fork or two."""
+    thick = rng.uniform(0.020, 0.034)
+    parts = [_limb(rng, (-0.5, 0, 0.5 * thick), (1, 0, 0.02), 1.0, thick, 0.35 * thick, detail, 0.28)]
+    for sign in (1, -1)[: int(rng.integers(1, 3))]:
+        at = rng.uniform(-0.25, 0.2)
+        way = (1, sign * rng.uniform(0.4, 0.9), rng.uniform(0.05, 0.35))
+        if detail < 2:
+            parts.append(_limb(rng, (at, 0, 0.5 * thick), way, rng.uniform(0.2, 0.4), 0.55 * thick, 0.18 * thick,
+                               min(detail + 1, 2), 0.25))  # fmt: skip
+    return _sunk(_join(parts), 0.7 * thick)
+
+
+# Grass
+
+
+def blade(root, azimuth: float, lean: float, droop: float, length: float, width: float, steps: int) -> tuple:
+    """A bent strip that ends in a tip; normals look up and out. Its length along the curve is nearly `length`."""
+    t = np.linspace(0, 1, steps + 1)
+    out = np.array([np.cos(azimuth), np.sin(azimuth), 0.0])
+    # leaning on from the root, the tip hangs over
+    angle = lean + droop * t * t
+    step = length / steps * np.stack([np.sin(angle), np.cos(angle)], 1)[:-1]
+    along = np.concatenate([[[0.0, 0.0]], np.cumsum(step, axis=0)])
+    spine = np.asarray(root) + along[:, :1] * out + along[:, 1:] * (0.0, 0.0, 1.0)
+    aside = np.array([-out[1], out[0], 0.0])
+    half = (0.5 * width * (1 - t[:-1] ** 2.2))[:, None]
+    left, right = spine[:-1] - half * aside, spine[:-1] + half * aside
+    vertices = np.concatenate([np.stack([left, right], 1).reshape(-1, 3), spine[-1:]])
+    normal = np.sin(angle)[:, None] * (0.0, 0.0, 1.0) + np.cos(angle)[:, None] * out * 0.6 + np.array([0, 0, 0.35])
+    normal /= np.linalg.norm(normal, axis=1, keepdims=True)
+    row = np.arange(steps - 1)[:, None] * 2
+    quads = np.concatenate([row + np.array([0, 1, 3]), row + np.array([0, 3, 2])])
+    indices = np.concatenate([quads, [[2 * steps - 2, 2 * steps - 1, 2 * steps]]])
+    return vertices, np.concatenate([np.repeat(normal[:-1], 2, 0), normal[-1:]]), np.append(np.repeat(t[:-1], 2), 1), \
+        indices.astype(int)  # fmt: skip
+
+
+def tuft(
+    rng: np.random.Generator, detail: int, blades: int, wide: float, spread: float, droop: float, width: float
+) -> Mesh:
+    """Blades from roots within `wide`; with less detail there are fewer, each as wide as those it stands for."""
+    turn = np.arange(blades) * 2.399963 + rng.uniform(-0.5, 0.5, blades)  # the golden angle keeps them apart
+    out = np.sqrt(rng.uniform(0, 1, blades))
+    roots = wide * out[:, None] * np.stack([np.cos(turn), np.sin(turn)], 1)
+    azimuth = turn + rng.uniform(-0.8, 0.8, blades)
+    lean = spread * (0.25 * out + 0.75 * rng.uniform(0, 1, blades) ** 1.5)
+    length = rng.uniform(0.55, 1.1, blades) * (1.05 - 0.25 * out)
+    droops = droop * rng.uniform(0.25, 1.3, blades)
+    keep, wider, steps = ((blades, 1.0, 4), (blades // 2, 1.6, 2), (max(blades // 4, 5), 2.8, 1))[detail]
+    parts = []
+    for i in range(keep):
+        bent = lean[i] + (0.4 * droops[i] if steps == 1 else 0.0)
+        parts.append(blade((*roots[i], -0.03), azimuth[i], bent, 0.0 if steps == 1 else droops[i], length[i],
+                           width * wider, steps))  # fmt: skip
+    return _join(parts)
+
+
+def dune_grass(rng: np.random.Generator, detail: int) -> Mesh:
+    """Marram: upright, stiff, tips that arch over."""
+    return tuft(rng, detail, 26, 0.20, 0.70, 1.25, 0.015)
+
+
+def tussock(rng: np.random.Generator, detail: int) -> Mesh:
+    """Short meadow grass, wide and bushy."""
+    return tuft(rng, detail, 24, 0.75, 0.95, 0.9, 0.042)
+
+
+MESHES: dict[str, Family] = {
+    "rock": Family(rock, 5),
+    "pebble": Family(pebble, 3, 2),
+    "log": Family(log, 4),
+    "branch": Family(branch, 3),
+    "dune_grass": Family(dune_grass, 4),
+    "tussock": Family(tussock, 4),
+}

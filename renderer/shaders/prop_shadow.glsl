@@ -1,0 +1,17 @@
+// Scattered things slid along the sun's rays onto a level plane (L03): the highest wins a texel. Depth only.
+
+#ifdef VERTEX
+#include "lib/scatter.glsl"
+uniform vec2 u_slant;     // metres towards the sun a metre up
+uniform float u_half_m;   // half the side of the square
+uniform float u_range_m;  // greatest height over or under its middle
+
+void main() {
+    vec3 p = in_place.xyz + instance_axes() * in_position * in_place.w;
+    gl_Position = vec4((p.xy - u_slant * p.z) / u_half_m, -p.z / u_range_m, 1.0);
+}
+#endif
+
+#ifdef FRAGMENT
+void main() {}
+#endif

@@ -1,0 +1,199 @@
+"""Scattered things in the picture: stateless wind, tiers, culling, their shadows and dark feet (L09, L03)."""
+
+import numpy as np
+import pytest
+from shorewright.brushes import BRUSHES, Stroke
+from shorewright.level import Grid, Journal, Level, Rect
+from shorewright.level.objects import Camera
+from shorewright.level.scatter import INSTANCE
+from shorewright.level.scatter_kinds import SCATTER
+from shorewright.level.scatter_meshes import mesh
+from shorewright.renderer import Renderer, Show, render
+from shorewright.renderer import scatter as gathering
+from shorewright.renderer.camera import camera_matrices
+from shorewright.renderer.quality import TIERS
+from test_scatter import coast
+
+pytestmark = pytest.mark.gl
+SIZE = (160, 90)
+EYE = Camera(id="eye", x=150, y=128, z=5.5, yaw_deg=330, pitch_deg=-12, fov_deg=60)
+DRY = Show.hide("water")
+
+
+@pytest.fixture(scope="module")
+def renderer(ctx):
+    made = Renderer(ctx)
+    yield made
+    made.release()
+
+
+@pytest.fixture
+def draw(renderer):
+    def run(level, view="final", camera=EYE, size=SIZE, show=DRY, quality="medium", time_s=3.0, linear=False):
+        return render(level, camera, size, time_s, view, show, quality, linear=linear, renderer=renderer)
+
+    return run
+
+
+def test_wind_moves_grass_by_time_alone_and_not_without_sway(draw):
+    """L09: stateless; the same time is the same bytes, no sway or no wind is no movement."""
+    level = coast()
+    first, later = draw(level), draw(level, time_s=4.3)
+    assert not np.array_equal(first, later)
+    assert np.array_equal(first, draw(level))
+    for path in ("scatter.sway", "sea.wind_mps"):
+        still = coast()
+        still.set(path, 0.0)
+        assert np.array_equal(draw(still), draw(still, time_s=4.3))
+
+
+def test_hidden_is_the_same_as_switched_off(draw):
+    level, off = coast(), coast()
+    off.set("scatter.on", False)
+    assert np.array_equal(draw(level, show=Show.hide("water,scatter")), draw(off))
+    assert not np.array_equal(draw(level), draw(off))
+
+
+def test_a_still_camera_sends_nothing_again(renderer, draw):
+    """Instances go to the GPU when camera, level or tier change, and not with time."""
+    level = coast()
+    draw(level)
+    sent = renderer.uploader.sent["scatter"], renderer.uploader.sent["casters"]
+    draw(level, time_s=9.0)
+    assert (renderer.uploader.sent["scatter"], renderer.uploader.sent["casters"]) == sent
+    assert renderer.stats["scatter_triangles"] > 1000
+    level.write("scatter", Rect(140, 140, 150, 150), 1.0)
+    draw(level)
+    assert renderer.uploader.sent["scatter"] > sent[0]
+
+
+def feet(groups) -> set:
+    return {(name, *row[:3].tolist()) for (name, _, _), rows in groups.items() for row in rows}
+
+
+def test_a_tier_draws_what_the_one_below_draws_and_more():
+    level, matrices = coast(), camera_matrices(EYE, SIZE)
+    eye = gathering.Eye(matrices.position, matrices.planes, 0.0004)
+    low, medium, high = (feet(gathering.gather(level, eye, tier)) for tier in TIERS.values())
+    assert low < medium < high
+
+
+@pytest.mark.parametrize("yaw", [20, 200, 290])
+def test_culling_drops_nothing_that_is_seen(draw, monkeypatch, yaw):
+    """Against everything in reach, sent without asking whether it is in the picture."""
+    level = coast()
+    camera = EYE.model_copy(update={"yaw_deg": yaw})
+    culled, count = draw(level, "position", camera, linear=True), []
+    whole = gathering.gather
+
+    def everything(level, eye, tier, reached=None):
+        groups = whole(level, gathering.Eye(eye.position, None, eye.pixel), tier, reached)
+        count.append(sum(map(len, groups.values())))
+        return groups
+
+    monkeypatch.setattr("shorewright.renderer.passes.scatter.gather", everything)
+    level.write("scatter", Rect(0, 0, 1, 1), 0.0)  # else what was gathered is kept
+    level.set("level.seed", level.settings.level.seed)
+    level.set("scatter.distance_m", level.settings.scatter.distance_m * (1 + 1e-12))
+    assert np.array_equal(culled, draw(level, "position", camera, linear=True))
+    assert count
+
+
+def test_paint_is_seen_in_the_next_frame(renderer, draw):
+    level = coast()
+    draw(level)
+    before = renderer.stats["scatter_instances"]
+    stroke = Stroke(level, Journal(level), BRUSHES["rocks"], BRUSHES["rocks"].with_params({"strength": 2.0}))
+    stroke.begin(146, 138)
+    draw(level)
+    assert renderer.stats["scatter_instances"] > before
+    stroke.abort()
+    draw(level)
+    assert renderer.stats["scatter_instances"] == before
+
+
+def one_rock(monkeypatch, at=(128.0, 128.0), size=1.5, ground=4.0) -> Level:
+    """Flat ground with one boulder, mesh variant 0, unturned."""
+    level = Level(Grid(257, 257), np.full((257, 257), ground, np.float32))
+    row = np.zeros(1, INSTANCE)
+    row["x"], row["y"], row["z"], row["scale"], row["open"], row["tint"] = *at, ground, size, 1.0, 0.5
+    monkeypatch.setattr(
+        gathering, "near", lambda level, name, eye, far: row if name == "boulder" else np.empty(0, INSTANCE)
+    )
+    return level
+
+
+def above(height=24.0, at=(128.0, 128.0), ground=4.0) -> Camera:
+    return Camera(id="above", x=at[0], y=at[1], z=ground + height, yaw_deg=0, pitch_deg=-90, fov_deg=30)
+
+
+@pytest.mark.parametrize(("azimuth", "way"), [(180.0, (0, 1)), (270.0, (1, 0)), (45.0, (-0.70711, -0.70711))])
+@pytest.mark.parametrize("elevation", [45.0, 30.0])
+def test_a_shadow_is_as_long_as_the_sun_makes_it(draw, monkeypatch, azimuth, way, elevation):
+    """L03: on flat ground the tip lies where the ray over the mesh's edge comes down, within a texel and its softness."""
+    level = one_rock(monkeypatch)
+    level.set("light.sun_azimuth_deg", azimuth)
+    level.set("light.sun_elevation_deg", elevation)
+    size = (240, 240)
+    lit = draw(level, "prop_shadow", above(), size, linear=True)[..., 0]
+    position = draw(level, "position", above(), size, linear=True)
+    made = mesh("rock", 0, 2)
+    vertices = made.vertices.astype(np.float64) * 1.5
+    way = np.array(way)
+    expected = (vertices[:, :2] @ way + vertices[:, 2] / np.tan(np.radians(elevation)))[vertices[:, 2] > 0].max()
+    ground = np.abs(position[..., 2] - 4.0) < 0.02
+    reach = ((position[..., :2] - 128.0) @ way)[ground & (lit < 0.5)].max()
+    assert abs(reach - expected) < 0.10
+    assert lit[ground & ((position[..., :2] - 128.0) @ way < -1.6)].min() == 1.0, "none on the sunny side"
+
+
+def test_a_lit_face_is_not_in_its_own_shadow(draw, monkeypatch):
+    """No acne: where a rock faces the sun it sees the sun."""
+    level = one_rock(monkeypatch)
+    level.set("light.sun_azimuth_deg", 180.0)
+    level.set("light.sun_elevation_deg", 50.0)
+    size = (240, 240)
+    lit, normal, position = (
+        draw(level, view, above(), size, linear=True)[..., :3] for view in ("prop_shadow", "normal", "position")
+    )
+    sun = np.array([0, -np.cos(np.radians(50)), np.sin(np.radians(50))])
+    facing = (normal @ sun > 0.6) & (position[..., 2] > 4.3)
+    assert facing.sum() > 500
+    assert lit[..., 0][facing].mean() > 0.98
+
+
+def test_shadows_off_and_low_sun_leave_everything_lit(draw, monkeypatch):
+    level = one_rock(monkeypatch)
+    assert draw(level, "prop_shadow", above(), linear=True).min() < 0.1
+    assert draw(level, "prop_shadow", above(), show=Show.hide("water,shadows"), linear=True).min() == 1.0
+    level.set("light.sun_elevation_deg", -5.0)
+    assert draw(level, "prop_shadow", above(), linear=True).min() == 1.0
+
+
+def test_the_foot_of_a_rock_sees_less_sky_and_far_ground_all_of_it(renderer, draw, monkeypatch):
+    """L03: contact occlusion multiplies the open sky round the foot and leaves albedo alone."""
+    level = one_rock(monkeypatch)
+    size = (240, 240)
+
+    def albedo():
+        draw(level, "final", above(), size)
+        data = renderer.targets[size, size].textures["g_albedo"].read()
+        return np.frombuffer(data, np.uint8).reshape(*size, 4).astype(int)
+
+    with_feet = albedo()
+    monkeypatch.setattr("shorewright.renderer.passes.contact.draw", lambda frame: None)
+    without = albedo()
+    assert np.array_equal(with_feet[..., :3], without[..., :3])
+    darker = without[..., 3] - with_feet[..., 3]
+    assert darker.min() >= 0
+    y, x = np.mgrid[0:240, 0:240]
+    away = np.hypot(x - 119.5, y - 119.5) * 24.0 * np.tan(np.radians(15)) / 120
+    assert darker[(away > 1.3) & (away < 1.7)].mean() > 20
+    assert darker[away > 1.75 * 1.5 + 0.1].max() == 0
+
+
+def test_the_view_of_kinds_shows_their_colours(draw):
+    level = coast()
+    seen = draw(level, "scatter", linear=True).reshape(-1, 3)
+    shown = [name for name, kind in SCATTER.items() if (np.abs(seen - kind.colour).max(axis=1) < 0.02).any()]
+    assert len(shown) >= 3
