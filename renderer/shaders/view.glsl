@@ -10,6 +10,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/gbuffer.glsl"
 #include "lib/height.glsl"
 #include "lib/shadow.glsl"
+#include "lib/wet.glsl"
 uniform sampler2D hdr, under_albedo, under_eye_depth;
 #ifdef LAYER
 uniform sampler2D u_layer;
@@ -31,7 +32,7 @@ void main() {
     Surface s = read_gbuffer(pixel);
     vec3 ray = pixel_ray();
     vec3 position = u_camera + ray * s.eye_depth;
-    float on_sea = float(s.material == SEA);
+    float on_sea = float(s.material == SEA), on_land = float(s.material == LAND);
     Sea sea = sea_surface(s.before);
     Bed bed = bed_at(position.xy);
     vec3 ground = ground_sample(position.xy);

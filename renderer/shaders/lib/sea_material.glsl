@@ -52,12 +52,13 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
     // the sheet: dense while it runs up, lace whose holes grow while it drains
     float sheet = exp2(-max(column, 0.0) / 0.13) * shore;
-    float drained = swash_drained(swash_phase(swash_early(sea.position.xy)));
+    float drained = swash_drained(swash_phase(shore_early(sea.position.xy)));
     float lace = sheet * mix(0.22 + 0.50 * torn, 0.30 * torn, smoothstep(0.0, 0.6, drained));
     float edge_m = (m.edge_s - m.s) * u_shore_range_m / steep;
-    float rim = shore - shore * smoothstep(0.15, 1.0, edge_m / (0.45 + 2.0 * pixel_m + 0.6 * near));
+    float rim = shore - shore * smoothstep(0.15, 1.0, edge_m / (mix(0.9, 0.4, drained) + 2.0 * pixel_m + 1.1 * near));
     rim *= open;
-    rim *= mix(0.30 + 0.55 * near, 0.25 * near, smoothstep(0.1, 0.7, drained)) * (1.0 - smoothstep(0.2, 0.6, steep));
+    // what it carries up is left on the sand where it turns (lib/wet.glsl)
+    rim *= mix(0.38 + 0.55 * near, 0.25 * near, smoothstep(0.05, 0.4, drained)) * (1.0 - smoothstep(0.2, 0.6, steep));
     crest *= mix(0.97, 0.80, smoothstep(0.95, 1.02, m.s));
     float clean = (1.0 - crest) * (1.0 - wake) * (1.0 - lace) * (1.0 - rim) * (1.0 - offshore);
     clean = waves ? clean : 1.0;
