@@ -18,6 +18,7 @@ from .look import look_uniforms
 from .quality import APRON_DEPTH_M, APRON_M
 
 TRUE_M = 120.0  # up to here the drawn sea is the twin's (D30)
+WET_WAVES = 4  # so many waves back sand remembers each (lib/wet.glsl)
 OWN_SECTIONS = ("sea", "shore", "time")
 
 
@@ -53,6 +54,7 @@ def frame_uniforms(frame) -> dict:
         "u_cell_m": level.grid.cell_m,
         "u_apron": (APRON_M, APRON_DEPTH_M),
         "u_still_m": level.sea_level_m,
+        "u_wet_waves": WET_WAVES if frame.tier.sea_exact else 2,
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
         **_sea_shape(level.settings, frame.tier),
     }

@@ -45,6 +45,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
     // behind a bar or a rim the wave has spent itself: no crest falls there, no sheet runs up
     float open = 1.0 - smoothstep(0.5 * POOL_M, 2.5 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
+    float runs_up = 1.0 - smoothstep(POOL_M, 4.0 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
     // on a flat a front is as wide as the flat: torn there, whole where the bed is steep
     open *= mix(0.15 + 0.75 * torn * patches, 1.0, smoothstep(0.012, 0.05, length(sea.bed.smoothed.yz)));
     float crest = open * crest_foam(m, to_m, down_m, broken, patches);
@@ -56,7 +57,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float lace = sheet * mix(0.22 + 0.50 * torn, 0.30 * torn, smoothstep(0.0, 0.6, drained));
     float edge_m = (m.edge_s - m.s) * u_shore_range_m / steep;
     float rim = shore - shore * smoothstep(0.15, 1.0, edge_m / (mix(0.9, 0.4, drained) + 2.0 * pixel_m + 1.1 * near));
-    rim *= open;
+    rim *= runs_up;
     // what it carries up is left on the sand where it turns (lib/wet.glsl)
     rim *= mix(0.38 + 0.55 * near, 0.25 * near, smoothstep(0.05, 0.4, drained)) * (1.0 - smoothstep(0.2, 0.6, steep));
     crest *= mix(0.97, 0.80, smoothstep(0.95, 1.02, m.s));

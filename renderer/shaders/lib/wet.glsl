@@ -7,9 +7,9 @@
 #include "lib/foam.glsl"
 
 uniform float u_shore_interval_s;
+uniform int u_wet_waves;  // so many are remembered; what came before them counts as a mean
 uniform float u_wet_dry_s, u_wet_film, u_wet_film_s, u_wet_lace, u_wet_lace_s, u_wet_splash_m;
 
-const int REMEMBERED = 4;         // waves; what came before them counts as a mean
 const float SOAK_S = 0.5;         // so long sand drinks before it is wet through
 const float CREEP_M = 0.045;      // so far above the sheet the grains draw water, in places
 const float ALWAYS_WET_M = 0.6;   // below the still sea by this much nothing ever shows
@@ -34,7 +34,7 @@ Wet wave_left(float part, float age, float down_m, vec2 grain) {
     float since_s = max(age - to, 0.0) * u_shore_interval_s;
     float turned_s = (age - up) * u_shore_interval_s;
     float soak = smoothstep(0.0, SOAK_S, covered_s);
-    float old = 1.0 - smoothstep(float(REMEMBERED) - 1.0, float(REMEMBERED), age);
+    float old = 1.0 - smoothstep(float(u_wet_waves) - 1.0, float(u_wet_waves), age);
     // the film sinks sooner high up, where the ground below is not yet full
     float life = 1.0 - since_s / (u_wet_film_s * mix(1.0, 0.45, part));
     float film = soak * smoothstep(0.0, 0.45, life - 0.4 * grain.x * (1.0 - life));
@@ -48,7 +48,7 @@ Wet wave_left(float part, float age, float down_m, vec2 grain) {
 // `height` over the still sea.
 Wet shore_wet(vec2 xy, float height, float pixel_m) {
     float top = max(u_shore_range_m * u_shore_runup, 0.02);
-    if (height > top + CREEP_M + 0.1) return DRY;
+    if (height > top + 2.0 * CREEP_M) return DRY;
     if (height < -ALWAYS_WET_M) return Wet(1.0, 0.0, 0.0);
     Bed bed = bed_at(xy);
     float moving = u_shore_on * u_shore_vertex * bed.sea.x;
@@ -60,8 +60,8 @@ Wet shore_wet(vec2 xy, float height, float pixel_m) {
     float h = max(height - CREEP_M * grain.x, 0.0);
     // what older waves left on the whole, by how many of them come so high
     float often = 1.0 - smoothstep(0.96 - 0.6 * u_shore_runup_variety, 1.0 - 0.1 * u_shore_runup_variety, h / top);
-    Wet sum = Wet(often * exp((0.5 - float(REMEMBERED)) * u_shore_interval_s / u_wet_dry_s), 0.0, 0.0);
-    for (int i = 0; i < REMEMBERED; ++i) {
+    Wet sum = Wet(often * exp((0.5 - float(u_wet_waves)) * u_shore_interval_s / u_wet_dry_s), 0.0, 0.0);
+    for (int i = 0; i < u_wet_waves; ++i) {
         float reach = top * swash_reach(xy, wave - i).x;
         Wet one = wave_left(min(h / max(reach, 1e-3), 1.0), fract(arrived) + float(i), (reach - h) / steep, grain);
         sum = Wet(max(sum.damp, one.damp), max(sum.film, one.film), max(sum.lace, one.lace));
@@ -70,9 +70,16 @@ Wet shore_wet(vec2 xy, float height, float pixel_m) {
     return Wet(max(sum.damp * moving, still), sum.film * moving * u_wet_film, sum.lace * moving * u_wet_lace);
 }
 
-// The lace as foam on the sand.
+// The lace as foam on the sand: two fetches of the sea's own texture, because it lies still and unshaded.
 Foam shore_lace(Wet wet, vec2 xy, float pixel_m) {
-    return foam_at(xy, min(wet.lace, 0.95), 0.25, 0.5 * wet.lace, vec2(0.0), u_sun_direction.xy, pixel_m);
+    float amount = min(wet.lace, 0.95), lod = max(log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4)), 0.0);
+    vec4 fields = textureLod(u_foam, xy / u_foam_tile_m, lod);
+    vec4 cells = textureLod(u_foam, turn(xy, 0.454, 0.891) * (4.7 / u_foam_tile_m), lod + 2.2);
+    float close = 1.0 - smoothstep(0.0, 2.5, lod);
+    fields.rgb += ((cells.a - 0.35) * 0.25 + (cells.g - 0.5) * 0.20) * close;
+    float cover = foam_cover(fields, amount, lod) * (0.80 + 0.20 * mix(0.4, fields.a, close));
+    float relief = cover * mix(0.6, 0.4 + 0.5 * cells.g + 0.3 * (cells.a - 0.35), close);
+    return Foam(cover, amount, 0.0, saturate(relief), 0.25);
 }
 
 // 1 where splash keeps rock dark, 0 from splash_m over the run-up; `ragged` about −0.7 … 0.7 breaks the line.
