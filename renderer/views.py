@@ -97,6 +97,8 @@ VIEWS: dict[str, View] = {
         View("film", "Film", "Water on the sand behind the draining sheet, which mirrors the sky.",
              "vec3(on_land * shore_wet(position.xy, position.z - u_still_m, 0.02).film)", ids="L06"),
         View("lace", "Lace", "Foam that the sheet left on the sand.", "vec3(on_land * s.foam)", ids="L06"),
+        View("glint", "Glint", "The sun in the water's mirror, without haze.",
+             "on_sea * sun_glint(s, ray * s.eye_depth)", "light", ids="L07"),
         View("under_albedo", "Under: albedo", "Albedo of what lies under the water.", "under", "colour", ids="D02"),
         View("walkable", "Walkable", "Green where the player can go, red beyond.",
              "walkable > 0.5 ? vec3(0.1, 0.7, 0.2) : vec3(0.8, 0.1, 0.1)", "direct", ids="D31"),

@@ -23,6 +23,7 @@ void main() {
     vec3 f0 = vec3(s.specular);
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
     vec3 light = brdf_sun(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
+    if (s.material == SEA) light = brdf_sun_water(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
     vec3 mirrored = sky_radiance_rough(mirror, s.roughness) * s.open;
     if (s.material == SEA && s.roughness < 0.6) {
         // the coast in the water, as bright as land of a middling albedo

@@ -11,6 +11,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/height.glsl"
 #include "lib/shadow.glsl"
 #include "lib/wet.glsl"
+#include "lib/brdf.glsl"
 uniform sampler2D hdr, under_albedo, under_eye_depth;
 #ifdef LAYER
 uniform sampler2D u_layer;
@@ -25,6 +26,12 @@ vec3 material_colour(int material) {
     const vec3 COLOURS[7] = vec3[7](vec3(0.0), vec3(0.62, 0.5, 0.3), vec3(0.1, 0.35, 0.75), vec3(0.2, 0.65, 0.75),
                                     vec3(0.75, 0.9, 1.0), vec3(0.35, 0.3, 0.55), vec3(0.95));
     return COLOURS[clamp(material, 0, 6)];
+}
+
+// The sun's mirror light as light.glsl adds it.
+vec3 sun_glint(Surface s, vec3 relative) {
+    vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
+    return brdf_sun_water(vec3(0.0), s.normal, -normalize(relative), u_sun_direction, s.roughness, vec3(s.specular)) * sun;
 }
 
 void main() {
