@@ -59,6 +59,9 @@ class Shore(Section):
     fade_out: float = param(0.06, 0.005, 1, "", "Over which part of the range a spent front disappears.")
     variety: float = param(0.5, 0, 1, "", "How much the height of one wave varies along the shore.")
     variety_m: float = param(45.0, 2, 2000, "m", "Length of that variation along the shore.", soft=(10, 200))
+    runup_variety: float = param(
+        0.0, 0, 1, "", "How much shorter of the run-up limit a low wave stops than a tall one.", soft=(0, 0.6)
+    )
     stagger: float = param(
         0.0, 0, 2, "", "How far waves arrive earlier or later along the shore, in intervals.", soft=(0, 1)
     )
@@ -136,6 +139,7 @@ class Wet(Section):
     film: float = param(1.0, 0, 1, "", "How clearly the film behind the sheet mirrors the sky.")
     film_s: float = param(3.0, 0.1, 60, "s", "Time in which that film sinks into the sand.", soft=(0.5, 10))
     lace: float = param(1.0, 0, 2, "", "Foam that the sheet leaves as lace at the line of its run-up.", soft=(0, 1.5))
+    lace_s: float = param(6.0, 0.1, 60, "s", "Time in which that lace tears and is gone.", soft=(1, 20))
     splash_m: float = param(1.2, 0, 30, "m", "Height over the run-up that splash keeps rock dark.", soft=(0, 5))
 
 

@@ -63,14 +63,15 @@ def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, values: np.n
         cycle = np.floor(c.v)
         f = (c - Dual(cycle)) * (1 + shore.runup)
         wave = (clock["u_shore_cycle"] + cycle.astype(np.int64)) * shore.count - k
-        tall = 1.0 - value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29)) * shore.variety
+        tall = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.variety
         a_here, b_here, *here = _wave(shore, s - f.v, f.v)
         masks = [np.maximum(old, new) for old, new in zip(masks, here, strict=True)]
         closer = np.abs(s - f.v) < nearest
         nearest = np.where(closer, np.abs(s - f.v), nearest)
         a, b = np.where(closer, a_here, a), np.where(closer, b_here, b)
         lift = lift + _body(shore, s_body - f, f) * tall
-    edge, rise = _swash(shore, clock["u_shore_clock"], early)
+    run = _swash(shore, clock, early, values, x, y)
+    edge, rise = 1.0 + shore.runup * run.v, run * (shore.range_m * shore.runup)
     drop = bed["depth"] - bed["clock"]  # how far the bed lies below the rim that its waves came over
     # Behind a rim the swash rises only while it tops the rim; on an open beach drop is 0 and this is 1.
     over = rise + bed["clock"] + (1.0 - step(0.0, POOL_M, drop)) * POOL_M
@@ -112,16 +113,26 @@ def _height_along(s: Dual) -> Dual:
     return (step(0.0, BREAK_S, s) * 0.7 + 0.3) * (1.0 - step(BREAK_S, 1.0, s))
 
 
-def _swash(shore: Shore, clock: float, early: Dual) -> tuple[np.ndarray, Dual]:
-    """The water's edge in s and the water level there in m: up with the front, back before the next one (D10)."""
-    arrived = clock * shore.count + early.v - shore.count / (1 + shore.runup)
+def _wave_noise(shore: Shore, values: np.ndarray, x, y, wave) -> Dual:
+    """0 … 1 along the shore for the wave of this number: what it lacks in height and in reach."""
+    return value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
+
+
+def _swash(shore: Shore, clock: dict, early: Dual, values: np.ndarray, x, y) -> Dual:
+    """How far the swash has run, 1 at the run-up limit: up with the front, back before the next one (D10).
+
+    The wave that is here now is the one whose front passed the water line last, and reaches as far as it is tall.
+    """
+    arrived = clock["u_shore_clock"] * shore.count + early.v - shore.count / (1 + shore.runup)
     q = Dual(arrived - np.floor(arrived), early.dx, early.dy)
+    wave = clock["u_shore_cycle"] * shore.count + np.floor(arrived).astype(np.int64)
+    reach = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.runup_variety
     up = uprush(shore)
     rising = q * (1 / up)
     falling = 1.0 - step(up, 1.0, q)
     going_up = q.v < up
     run = Dual(*(np.where(going_up, m, n) for m, n in zip(_parts(rising), _parts(falling), strict=True)))
-    return 1.0 + shore.runup * run.v, run * (shore.range_m * shore.runup)
+    return run * reach
 
 
 def _parts(x: Dual) -> tuple:

@@ -112,6 +112,8 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         **{f"u_shore_{name}": float(getattr(shore, name)) for name in names},
         "u_shore_variety": shore.variety,
         "u_shore_variety_m": shore.variety_m,
+        "u_shore_runup_variety": shore.runup_variety,
+        "u_shore_interval_s": shore.interval_s,
         "u_shore_stagger": shore.stagger,
         "u_shore_count": shore.count,
         "u_shore_uprush": uprush(shore),

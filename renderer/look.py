@@ -7,6 +7,8 @@ import math
 import numpy as np
 
 from ..level import Settings
+from ..level.gerstner import groups
+from ..level.settings import Sea
 from ..level.sun import light_angles
 from .sky_light import sky_light
 
@@ -14,6 +16,8 @@ DISPLAYS = ("agx", "aces", "neutral", "raw")
 GRAVITY = 9.81
 FOAM_PERIOD_S = 5.0
 STAR_LIGHT = 0.0015  # kcd/m² of the brightest stars, spread over 1.4 minutes of arc
+RIPPLE_SPREAD = np.array([0.7955, 0.2045])  # of the texture's slope variance: along its own way, across
+LEAST_SLOPE2 = 2e-4  # no sea is a mirror
 # tile in metres, turn from the wind in degrees, share of the slope's variance
 RIPPLES = ((17.0, -24.0, 0.40), (6.1, 31.0, 0.33), (2.3, -7.0, 0.27))
 
@@ -55,11 +59,32 @@ def _sky(sky) -> dict:
     }
 
 
+def ripple_slopes(sea: Sea, seed: int) -> np.ndarray:
+    """Mean square slope of the ripples along and across the wind, `(2,)`.
+
+    What Cox & Munk (1954) measured for the wind, 0.00316 U along and 0.003 + 0.00192 U across, less what the Gerstner
+    waves carry already, so that mesh, normals and roughness add up to the whole at every distance. A swell steeper than
+    the wind's sea stays as it is: then ripples are down to the least.
+    """
+    heading = math.radians(sea.swell_heading_deg)
+    measured = np.array([0.00316 * sea.wind_mps, 0.003 + 0.00192 * sea.wind_mps])
+    return np.maximum(measured - wave_slopes(sea, seed, heading).sum(axis=0), LEAST_SLOPE2)
+
+
+def wave_slopes(sea: Sea, seed: int, heading: float) -> np.ndarray:
+    """Mean square slope of chop and swell `(2, 2)`: a row each, along and across the heading (radians)."""
+    rows = []
+    for fronts in groups(sea, seed):
+        steep = fronts.amplitude_m * 2 * np.pi / fronts.length_m
+        along = fronts.east * math.sin(heading) + fronts.north * math.cos(heading)
+        rows.append([np.sum((steep * along) ** 2) / 2, np.sum(steep**2 * (1 - along**2)) / 2])
+    return np.array(rows) * float(sea.on)
+
+
 def _ripples(settings: Settings, time_s: float) -> dict:
     sea = settings.sea
-    # Ripples grow with the chop: 0.09 m of it goes with about 5 m/s of wind, whose slopes Cox & Munk measured
-    wind = 1.0 + 45.0 * sea.chop_m
-    variance = (0.003 + 0.00512 * min(wind, 14.0)) * float(sea.on) + 0.0006
+    target = ripple_slopes(sea, settings.level.seed)
+    made = np.zeros(2)  # what the three turned textures have along and across the wind, at a total of 1
     way, size = [], []
     for tile, turn_deg, share in RIPPLES:
         heading = math.radians(90.0 - sea.swell_heading_deg + turn_deg)
@@ -67,8 +92,17 @@ def _ripples(settings: Settings, time_s: float) -> dict:
         speed = math.sqrt(GRAVITY * tile / 5 / (2 * math.pi))
         moved = -speed * time_s / tile
         way.append((math.cos(heading), math.sin(heading), moved - math.floor(moved), 0.173 * tile % 1.0))
-        size.append((tile, math.sqrt(variance * share)))
-    return {"u_ripple_way": np.array(way, np.float32), "u_ripple_size": np.array(size, np.float32)}
+        size.append((tile, math.sqrt(share)))
+        turned = math.cos(math.radians(turn_deg)) ** 2, math.sin(math.radians(turn_deg)) ** 2
+        made += share * np.array([np.dot(turned, RIPPLE_SPREAD), np.dot(turned, RIPPLE_SPREAD[::-1])])
+    heading = math.radians(sea.swell_heading_deg)
+    return {
+        "u_ripple_way": np.array(way, np.float32),
+        "u_ripple_size": np.array(size, np.float32),
+        "u_ripple_gain": (*np.sqrt(target / made), target.sum()),
+        "u_wind_way": (math.sin(heading), math.cos(heading)),
+        "u_wind_spread": tuple(target / target.sum()),
+    }
 
 
 def _foam(settings: Settings, time_s: float) -> dict:

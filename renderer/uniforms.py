@@ -11,14 +11,14 @@ import functools
 import numpy as np
 
 from ..level import Level, Settings
-from ..level.gerstner import groups
 from ..level.params import describe, get
 from ..level.shore_field import shore_field
 from ..level.waves import wave_uniforms
-from .look import look_uniforms
+from .look import look_uniforms, wave_slopes
 from .quality import APRON_DEPTH_M, APRON_M
 
 TRUE_M = 120.0  # up to here the drawn sea is the twin's (D30)
+WET_WAVES = 4  # so many waves back sand remembers each (lib/wet.glsl)
 OWN_SECTIONS = ("sea", "shore", "time")
 
 
@@ -54,6 +54,7 @@ def frame_uniforms(frame) -> dict:
         "u_cell_m": level.grid.cell_m,
         "u_apron": (APRON_M, APRON_DEPTH_M),
         "u_still_m": level.sea_level_m,
+        "u_wet_waves": WET_WAVES if frame.tier.sea_exact else 2,
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
         **_sea_shape(level.settings, frame.tier),
     }
@@ -63,15 +64,14 @@ def _sea_shape(settings: Settings, tier) -> dict:
     """Where the mesh waves lie down with distance, and how steep those are that mesh and pixels no longer carry."""
     sea = settings.sea
     flat_m = 0.9 * tier.sea_distance_m
-    chop, swell = groups(sea, settings.level.seed)
-    slopes = [float(np.sum((g.amplitude_m * 2 * np.pi / g.length_m) ** 2) / 2) for g in (swell, chop)]
+    chop, swell = wave_slopes(sea, settings.level.seed, 0.0).sum(axis=1)
     ends = [(14 * length, 28 * length) for length in (sea.swell_length_m, sea.chop_length_m)]
     fade = [(max(min(first, 0.5 * flat_m), TRUE_M), max(min(last, flat_m), 1.5 * TRUE_M)) for first, last in ends]
     return {
         "u_sea_fade_m": (*fade[0], *fade[1]),
         "u_swell_length_m": sea.swell_length_m,
         "u_chop_length_m": sea.chop_length_m,
-        "u_wave_slope": tuple(slopes),
+        "u_wave_slope": (swell, chop),
     }
 
 

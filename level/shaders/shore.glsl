@@ -8,7 +8,7 @@ uniform int u_shore_cycle;
 uniform int u_shore_count;
 uniform float u_shore_range_m, u_shore_width, u_shore_gap, u_shore_runup, u_shore_back, u_shore_fall;
 uniform float u_shore_height_m, u_shore_draw_m, u_shore_fade_in, u_shore_fade_out;
-uniform float u_shore_variety, u_shore_variety_m, u_shore_stagger, u_shore_uprush;
+uniform float u_shore_variety, u_shore_variety_m, u_shore_runup_variety, u_shore_stagger, u_shore_uprush;
 uniform float u_shore_on, u_shore_vertex;
 
 const float BREAK_S = 0.78;
@@ -54,11 +54,32 @@ vec3 shore_height_along(vec3 s) {
     return d_mul(d_step(0.0, BREAK_S, s) * 0.7 + d_const(0.3), d_const(1.0) - d_step(BREAK_S, 1.0, s));
 }
 
-// How far the swash has run, 0 at the still water line, 1 at the run-up limit.
-vec3 shore_swash(vec3 early) {
-    float arrived = u_shore_clock * float(u_shore_count) + early.x - float(u_shore_count) / (1.0 + u_shore_runup);
-    vec3 q = vec3(fract(arrived), early.yz);
+// 0 … 1 along the shore for the wave of this number: what it lacks in height and in reach.
+vec3 wave_noise(vec2 xy, int wave) { return value_noise(xy, u_shore_variety_m, ivec2(wave * 17, wave * 29)); }
+
+// How much earlier waves arrive at a place, in intervals.
+vec3 shore_early(vec2 xy) {
+    return (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
+}
+
+// Waves that have passed the still water line since the cycle began; the fraction is the phase of the last one.
+float swash_arrived(vec3 early) {
+    return u_shore_clock * float(u_shore_count) + early.x - float(u_shore_count) / (1.0 + u_shore_runup);
+}
+
+// How far along its way up and back a wave is at phase q: 0 at the still water line, 1 where it turns.
+vec3 swash_run(vec3 q) {
     return q.x < u_shore_uprush ? q / u_shore_uprush : d_const(1.0) - d_step(u_shore_uprush, 1.0, q);
+}
+
+// Where the wave of this number turns, against the run-up limit.
+vec3 swash_reach(vec2 xy, int wave) { return d_const(1.0) - wave_noise(xy, wave) * u_shore_runup_variety; }
+
+// How far the swash has run, 0 at the still water line, 1 at the run-up limit.
+vec3 shore_swash(vec2 xy, vec3 early) {
+    float arrived = swash_arrived(early);
+    int wave = u_shore_cycle * u_shore_count + int(floor(arrived));
+    return d_mul(swash_run(vec3(fract(arrived), early.yz)), swash_reach(xy, wave));
 }
 
 ShoreMasks shore_masks(Bed bed, vec2 xy) {
@@ -66,7 +87,7 @@ ShoreMasks shore_masks(Bed bed, vec2 xy) {
     // into a hole round each of them.
     float s = 1.0 - bed.clock.x / u_shore_range_m;
     vec3 s_body = d_const(1.0) - bed.smoothed / u_shore_range_m;
-    vec3 early = (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
+    vec3 early = shore_early(xy);
     ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0);
     vec3 sea = d_mul(bed.sea, bed.within);
     vec3 masks = vec3(0.0);
@@ -76,7 +97,7 @@ ShoreMasks shore_masks(Bed bed, vec2 xy) {
         float cycle = floor(c.x);
         vec3 f = (c - d_const(cycle)) * (1.0 + u_shore_runup);
         int wave = (u_shore_cycle + int(cycle)) * u_shore_count - k;
-        vec3 tall = d_const(1.0) - value_noise(xy, u_shore_variety_m, ivec2(wave * 17, wave * 29)) * u_shore_variety;
+        vec3 tall = d_const(1.0) - wave_noise(xy, wave) * u_shore_variety;
         float a, b;
         vec3 here;
         shore_wave(s - f.x, shore_fade(f.x), a, b, here);
@@ -98,7 +119,7 @@ ShoreMasks shore_masks(Bed bed, vec2 xy) {
     m.a *= u_shore_on;
     m.b *= u_shore_on;
     m.lift = d_mul(m.lift, shore_height_along(s_body)) * u_shore_height_m;
-    vec3 run = shore_swash(early);
+    vec3 run = shore_swash(xy, early);
     vec3 rise = run * (u_shore_range_m * u_shore_runup);
     // Behind a rim the swash rises only while it tops the rim; on an open beach drop is 0 and this is 1.
     vec3 over = rise + bed.clock + (d_const(1.0) - d_step(0.0, POOL_M, drop)) * POOL_M;

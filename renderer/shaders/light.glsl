@@ -32,7 +32,9 @@ void main() {
     vec3 mirror = reflect(-to_eye, s.normal);
     vec3 f0 = vec3(s.specular);
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
-    vec3 light = brdf_sun(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
+    vec3 light = s.material == SEA
+        ? brdf_sun_water(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun
+        : brdf_sun(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
     // what hides the sky is itself lit land or water, and gives part of its light back
     vec3 up = sky_irradiance(vec3(0.0, 0.0, 1.0)) + sun_radiance() * max(u_sun_direction.z, 0.0);
     vec3 bounce = up * LAND_BOUNCE * u_light_bounce * (1.0 - s.open);

@@ -184,11 +184,13 @@ void main() {
     vec3 position = u_camera + relative;
     float column = water_column(sea, position.z);
     float rippled = ripple_share(column);
-    vec3 ripple = water_ripples(before, long_m) * vec3(rippled, rippled, rippled * rippled);
+    vec3 ripple = water_ripples(before, long_m);
     float body = wave_body(sea, sharp.x);
     // a shore wave is lit as the steep wave it stands for: cells of half a metre carry a gentler one
-    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (sharp.x * (1.0 + 0.9 * body)) + ripple.xy;
-    float lost = ripple.z + sea.deep * dot(u_wave_slope, 1.0 - sharp * sharp);
+    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (sharp.x * (1.0 + 0.9 * body)) + rippled * ripple.xy;
+    // slopes that neither the waves here nor the ripples show: together always what the wind makes (Cox & Munk 1954)
+    vec2 shown = sea.deep * sharp.x * vec2(1.0, sharp.y);
+    float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled;
     vec3 normal = normalize(vec3(-slope, 1.0));
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);

@@ -41,7 +41,10 @@ void main() {
     g.normal = normalize(mix(g.normal, normal, 0.85 * film));
     g.roughness = mix(g.roughness, 0.07, film);
     g.specular = mix(g.specular, 0.02, film);
-    write_gbuffer(Surface(g.albedo, open, g.normal, g.roughness, g.specular, LAND, 0.0, wet.damp, vec3(0.0),
+    Foam lace = shore_lace(wet, position.xy, pixel_m);
+    g.albedo = mix(g.albedo, foam_albedo(lace), lace.cover);
+    g.roughness = mix(g.roughness, FOAM_ROUGHNESS, lace.cover);
+    write_gbuffer(Surface(g.albedo, open, g.normal, g.roughness, g.specular, LAND, lace.cover, wet.damp, vec3(0.0),
                           eye_depth_of(v_relative), position.xy));
 }
 #endif

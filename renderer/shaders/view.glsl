@@ -10,6 +10,8 @@ void main() { fullscreen_triangle(); }
 #include "lib/gbuffer.glsl"
 #include "lib/height.glsl"
 #include "lib/shadow.glsl"
+#include "lib/wet.glsl"
+#include "lib/brdf.glsl"
 uniform sampler2D hdr, under_albedo, under_eye_depth;
 #ifdef LAYER
 uniform sampler2D u_layer;
@@ -29,12 +31,18 @@ vec3 material_colour(int material) {
     return COLOURS[clamp(material, 0, 6)];
 }
 
+// The sun's mirror light as light.glsl adds it.
+vec3 sun_glint(Surface s, vec3 relative) {
+    vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
+    return brdf_sun_water(vec3(0.0), s.normal, -normalize(relative), u_sun_direction, s.roughness, vec3(s.specular)) * sun;
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = read_gbuffer(pixel);
     vec3 ray = pixel_ray();
     vec3 position = u_camera + ray * s.eye_depth;
-    float on_sea = float(s.material == SEA);
+    float on_sea = float(s.material == SEA), on_land = float(s.material == LAND);
     Sea sea = sea_surface(s.before);
     Bed bed = bed_at(position.xy);
     vec3 ground = ground_sample(position.xy);

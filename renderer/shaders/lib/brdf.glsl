@@ -44,3 +44,39 @@ vec3 brdf_ambient(vec3 albedo, vec3 n, vec3 v, float roughness, vec3 f0, vec3 ir
     vec3 mirror = clamp(f0 * env.x + env.y, 0.0, 1.0);
     return albedo * (1.0 - mirror) * irradiance / PI + mirror * reflected_radiance;
 }
+
+uniform vec2 u_wind_way;     // horizontal unit vector, where the wind goes to
+uniform vec2 u_wind_spread;  // share of a wind sea's mean square slope along and across the wind; sum 1
+
+// The half degree of the sun as a variance of slope: its disc seen in a mirror that needs half the angle.
+const float SUN_SLOPE2 = 0.00465 * 0.00465 / 8.0;
+
+// Smith's shadowing of Gaussian slopes whose root mean square along a direction is `sigma` · √½ (Walter et al. 2007).
+float beckmann_lambda(float cosine, float sigma) {
+    float a = cosine / max(sigma * sqrt(max(1.0 - cosine * cosine, 0.0)), 1e-6);
+    return a < 1.6 ? (1.0 - 1.259 * a + 0.396 * a * a) / (3.535 * a + 2.181 * a * a) : 0.0;
+}
+
+// The sun in water, n·l included: slopes are Gaussian, wider along the wind than across (Cox & Munk 1954), so the lobe
+// is Beckmann's; GGX of the same variance would be a quarter too narrow at half height. roughness⁴ is the mean square slope
+// of what the normal does not show (lib/water.glsl).
+vec3 brdf_sun_water(vec3 albedo, vec3 n, vec3 v, vec3 l, float roughness, vec3 f0) {
+    float n_l = clamp(dot(n, l), 0.0, 1.0), n_v = max(dot(n, v), 1e-3);
+    float alpha = roughness * roughness;
+    vec3 h = normalize(l + v);
+    // slopes of the facet that mirrors the sun, along and across the wind, against the normal's own plane
+    vec3 along = normalize(vec3(u_wind_way, 0.0) - n * dot(n.xy, u_wind_way));
+    vec3 across = cross(n, along);
+    float up = max(dot(h, n), 1e-4);
+    vec2 slope = vec2(dot(h, along), dot(h, across)) / up;
+    vec2 variance = 2.0 * (alpha * alpha * u_wind_spread + 0.5 * SUN_SLOPE2);  // twice the axis' own, as Beckmann has it
+    float d = exp(-min(dot(slope, slope / variance), 80.0)) / (PI * sqrt(variance.x * variance.y) * up * up * up * up);
+    vec2 to_v = vec2(dot(v, along), dot(v, across)), to_l = vec2(dot(l, along), dot(l, across));
+    float sigma_v = sqrt(dot(to_v * to_v, variance) / max(dot(to_v, to_v), 1e-8));
+    float sigma_l = sqrt(dot(to_l * to_l, variance) / max(dot(to_l, to_l), 1e-8));
+    float smith = 1.0 / (1.0 + beckmann_lambda(n_v, sigma_v) + beckmann_lambda(max(n_l, 1e-3), sigma_l));
+    vec3 f = fresnel_schlick(f0, dot(v, h));
+    vec2 env = specular_albedo(roughness, n_v);
+    vec3 diffuse = albedo * (1.0 - clamp(f0 * env.x + env.y, 0.0, 1.0)) / PI;
+    return diffuse * n_l + f * (d * smith / (4.0 * n_v)) * step(1e-5, n_l);
+}

@@ -45,6 +45,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
     // behind a bar or a rim the wave has spent itself: no crest falls there, no sheet runs up
     float open = 1.0 - smoothstep(0.5 * POOL_M, 2.5 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
+    float runs_up = 1.0 - smoothstep(POOL_M, 4.0 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
     // on a flat a front is as wide as the flat: torn there, whole where the bed is steep
     open *= mix(0.15 + 0.75 * torn * patches, 1.0, smoothstep(0.012, 0.05, length(sea.bed.smoothed.yz)));
     float crest = open * crest_foam(m, to_m, down_m, broken, patches);
@@ -52,12 +53,13 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
     // the sheet: dense while it runs up, lace whose holes grow while it drains
     float sheet = exp2(-max(column, 0.0) / 0.13) * shore;
-    float drained = swash_drained(swash_phase(swash_early(sea.position.xy)));
+    float drained = swash_drained(swash_phase(shore_early(sea.position.xy)));
     float lace = sheet * mix(0.22 + 0.50 * torn, 0.30 * torn, smoothstep(0.0, 0.6, drained));
     float edge_m = (m.edge_s - m.s) * u_shore_range_m / steep;
-    float rim = shore - shore * smoothstep(0.15, 1.0, edge_m / (0.45 + 2.0 * pixel_m + 0.6 * near));
-    rim *= open;
-    rim *= mix(0.30 + 0.55 * near, 0.25 * near, smoothstep(0.1, 0.7, drained)) * (1.0 - smoothstep(0.2, 0.6, steep));
+    float rim = shore - shore * smoothstep(0.15, 1.0, edge_m / (mix(0.9, 0.4, drained) + 2.0 * pixel_m + 1.1 * near));
+    rim *= runs_up;
+    // what it carries up is left on the sand where it turns (lib/wet.glsl)
+    rim *= mix(0.38 + 0.55 * near, 0.25 * near, smoothstep(0.05, 0.4, drained)) * (1.0 - smoothstep(0.2, 0.6, steep));
     crest *= mix(0.97, 0.80, smoothstep(0.95, 1.02, m.s));
     float clean = (1.0 - crest) * (1.0 - wake) * (1.0 - lace) * (1.0 - rim) * (1.0 - offshore);
     clean = waves ? clean : 1.0;

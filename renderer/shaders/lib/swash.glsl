@@ -1,15 +1,8 @@
 // When the last sheet came and how far it has drained, from the shore clock alone: water, sand and foam agree (D03).
 #include "level/shore.glsl"
 
-// How much earlier waves arrive at a place, in intervals; a dual.
-vec3 swash_early(vec2 xy) {
-    return (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
-}
-
 // 0 when a wave meets the still water line, 1 when the next one does; it runs up until u_shore_uprush.
-float swash_phase(vec3 early) {
-    return fract(u_shore_clock * float(u_shore_count) + early.x - float(u_shore_count) / (1.0 + u_shore_runup));
-}
+float swash_phase(vec3 early) { return fract(swash_arrived(early)); }
 
 // 0 while the sheet runs up, growing to 1 while it drains.
 float swash_drained(float phase) { return clamp((phase - u_shore_uprush) / max(1.0 - u_shore_uprush, 1e-3), 0.0, 1.0); }

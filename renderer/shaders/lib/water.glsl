@@ -3,7 +3,9 @@
 
 uniform sampler2D u_ripple;      // slope east, slope north, slope², height; total variance of the slope is 1
 uniform vec4 u_ripple_way[3];    // cosine, sine of the way it goes; offset in tiles, wrapped on the CPU
-uniform vec2 u_ripple_size[3];   // tile_m, slope (root of the mean square)
+uniform vec2 u_ripple_size[3];   // tile_m, share of the slope (root of the mean square)
+uniform vec3 u_ripple_gain;      // slope along and across the wind for a texture's 1; mean square of both
+uniform vec2 u_wind_way;         // horizontal unit vector, where the wind goes to
 uniform vec3 u_absorb;           // 1/m
 uniform float u_scatter;         // 1/m
 
@@ -23,7 +25,9 @@ vec3 water_ripples(vec2 xy, float pixel_m) {
         sum.xy += vec2(way.x * slope.x - way.y * slope.y, way.y * slope.x + way.x * slope.y);
         sum.z += max(v.z - dot(v.xy, v.xy), 0.0) * size.y * size.y;
     }
-    return sum;
+    vec2 across = vec2(-u_wind_way.y, u_wind_way.x);
+    vec2 slope = dot(sum.xy, u_wind_way) * u_ripple_gain.x * u_wind_way + dot(sum.xy, across) * u_ripple_gain.y * across;
+    return vec3(slope, sum.z * u_ripple_gain.z);
 }
 
 // Roughness of a surface whose unseen slopes have this variance: alpha² = mean square slope (Cox & Munk 1954).

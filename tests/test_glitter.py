@@ -1,0 +1,134 @@
+"""The sun's glitter: as wide as Cox & Munk (1954) measured, its energy kept between waves, ripples and roughness (L07)."""
+
+import numpy as np
+import pytest
+from shorewright.level import Grid, Level
+from shorewright.level.objects import Camera
+from shorewright.level.settings import Sea
+from shorewright.renderer import Renderer, render
+from shorewright.renderer.look import ripple_slopes, sun_direction, wave_slopes
+
+pytestmark = pytest.mark.gl
+AZIMUTH, ELEVATION = 235.0, 38.0
+WATER_F0 = 0.02
+
+
+@pytest.fixture(scope="module")
+def renderer(ctx):
+    made = Renderer(ctx)
+    yield made
+    made.release()
+
+
+def open_sea(wind_mps, heading_deg=70.0, **sea):
+    """Water 60 m deep and nothing else."""
+    level = Level(Grid(257, 257), np.full((257, 257), -60.0, np.float32))
+    settings = {"wind_mps": wind_mps, "swell_heading_deg": heading_deg, **sea}
+    for name, value in settings.items():
+        level.set(f"sea.{name}", value)
+    level.set("light.sun_azimuth_deg", AZIMUTH)
+    level.set("light.sun_elevation_deg", ELEVATION)
+    level.set("fog.on", False)
+    return level
+
+
+def facet_density(level, height_m, quality, renderer, times):
+    """Slope east and north of the facet that shows the sun, and how many there are by the picture, to a factor.
+
+    Radiance of the glint is E · F(ω) · p(slope) / (4 cos θ_eye cos⁴ θ_facet) (Cox & Munk 1954): solved for p.
+    """
+    place = Camera(id="c", x=128, y=128, z=height_m, yaw_deg=AZIMUTH, pitch_deg=-ELEVATION, fov_deg=75)
+    shoot = {"size": (160, 120), "quality": quality, "linear": True, "renderer": renderer}
+    slopes, density = [], []
+    sun = sun_direction(AZIMUTH, ELEVATION)
+    for t in times:
+        glint = render(level, place, time_s=t, view="glint", **shoot)[..., 1].astype(np.float64)
+        at = render(level, place, time_s=t, view="position", **shoot).astype(np.float64)
+        to_eye = np.array([place.x, place.y, place.z]) - at
+        to_eye /= np.linalg.norm(to_eye, axis=-1, keepdims=True)
+        half = to_eye + sun
+        half /= np.linalg.norm(half, axis=-1, keepdims=True)
+        fresnel = WATER_F0 + (1 - WATER_F0) * (1 - (half * to_eye).sum(-1)) ** 5
+        p = glint * 4 * to_eye[..., 2] * half[..., 2] ** 4 / fresnel
+        seen = to_eye[..., 2] > 0.25
+        slopes.append(-half[seen][:, :2] / half[seen][:, 2:])
+        density.append(p[seen])
+    return np.concatenate(slopes), np.concatenate(density)
+
+
+def fitted_variance(slopes, density, heading_deg):
+    """Mean square slope along and across the wind: a Gaussian laid through the glint by its half height and above."""
+    way = np.radians(heading_deg)
+    turned = slopes @ np.array([[np.sin(way), -np.cos(way)], [np.cos(way), np.sin(way)]])
+    edges = np.linspace(-0.34, 0.34, 18)
+    count, _, _ = np.histogram2d(*turned.T, bins=(edges, edges))
+    total, _, _ = np.histogram2d(*turned.T, bins=(edges, edges), weights=density)
+    mean = total / np.maximum(count, 1)
+    middle = 0.5 * (edges[1:] + edges[:-1])
+    along, across = np.meshgrid(middle, middle, indexing="ij")
+    used = (count > 20) & (mean > 0.4 * np.sort(mean[count > 20])[-5:].mean())
+    terms = np.stack([np.ones(used.sum()), along[used] ** 2, across[used] ** 2], -1)
+    weight = (mean * np.sqrt(count))[used]
+    _, a, c = np.linalg.lstsq(terms * weight[:, None], np.log(mean[used]) * weight, rcond=None)[0]
+    return -0.5 / a, -0.5 / c
+
+
+def cox_munk(wind_mps):
+    return 0.00316 * wind_mps, 0.003 + 0.00192 * wind_mps
+
+
+@pytest.mark.parametrize("quality", ["low", "medium"])
+@pytest.mark.parametrize("height_m", [20.0, 200.0])
+@pytest.mark.parametrize("wind_mps", [5.0, 10.0])
+def test_glitter_is_as_wide_as_cox_and_munk_measured(renderer, wind_mps, height_m, quality):
+    """L07: width within 20 % at 5 and 10 m/s, from near and far, mesh waves and all; longer along the wind."""
+    times = np.arange(6) * 2.7 if height_m < 100 else (0.0,)
+    slopes, density = facet_density(open_sea(wind_mps), height_m, quality, renderer, times)
+    along, across = fitted_variance(slopes, density, 70.0)
+    expected = cox_munk(wind_mps)
+    assert np.sqrt(along + across) == pytest.approx(np.sqrt(sum(expected)), rel=0.12)
+    assert np.sqrt(along) == pytest.approx(np.sqrt(expected[0]), rel=0.2)
+    assert np.sqrt(across) == pytest.approx(np.sqrt(expected[1]), rel=0.2)
+
+
+def test_a_steep_swell_takes_from_the_ripples(renderer):
+    """L07: more of the wind's slope in the mesh, less in the ripples, the same glitter."""
+    level = open_sea(10.0, swell_m=1.6, swell_length_m=40.0)
+    slopes, density = facet_density(level, 200.0, "medium", renderer, np.arange(4) * 3.1)
+    assert np.sqrt(sum(fitted_variance(slopes, density, 70.0))) == pytest.approx(np.sqrt(sum(cox_munk(10.0))), rel=0.2)
+
+
+@pytest.mark.parametrize("wind_mps", [2.0, 5.0, 10.0, 20.0])
+@pytest.mark.parametrize("swell_m", [0.0, 0.45, 1.0])
+def test_ripples_and_waves_share_what_the_wind_makes(wind_mps, swell_m):
+    """L07: mean square slopes along and across the wind add up to Cox & Munk's, whatever the waves carry of it."""
+    sea = Sea(wind_mps=wind_mps, swell_m=swell_m, swell_heading_deg=123.0)
+    waves = wave_slopes(sea, 7, np.radians(123.0)).sum(axis=0)
+    ripples = ripple_slopes(sea, 7)
+    both, expected = waves + ripples, np.array(cox_munk(wind_mps))
+    room = waves < expected - 2e-4
+    assert room.any()
+    assert both[room] == pytest.approx(expected[room])
+    assert (ripples >= 2e-4).all()
+
+
+def test_the_texture_has_the_spread_that_the_wind_is_fitted_to():
+    """L07: RIPPLE_SPREAD is what the ripple texture really has, and its slopes are Gaussian as the glitter's are."""
+    from shorewright.level.textures import ripple_texture
+    from shorewright.renderer.look import RIPPLE_SPREAD
+
+    texture = ripple_texture()
+    variance = (texture[..., :2] ** 2).mean(axis=(0, 1))
+    assert variance == pytest.approx(RIPPLE_SPREAD, abs=1e-3)
+    assert (texture[..., :2] ** 4).mean(axis=(0, 1)) / variance**2 == pytest.approx([3, 3], abs=0.5)
+
+
+def test_the_picture_has_the_glint_of_its_view(renderer):
+    """L07: what the light pass adds at the sun's place is the view's glint: nothing of its shape is left without it."""
+    level = open_sea(5.0, swell_m=0.0, chop_m=0.0)
+    place = Camera(id="c", x=128, y=128, z=400.0, yaw_deg=AZIMUTH, pitch_deg=-ELEVATION, fov_deg=60)
+    shoot = {"size": (96, 72), "linear": True, "renderer": renderer}
+    whole, glint = (render(level, place, view=view, **shoot)[..., 1].ravel() for view in ("hdr", "glint"))
+    assert glint.max() > 5 * (whole - glint).max()
+    share, _ = np.polyfit(glint, whole, 1)
+    assert share == pytest.approx(1, abs=0.08)  # what mirrors the sky is brighter towards the sun too
