@@ -68,7 +68,7 @@ class Shore(Section):
     monotone: bool = param(True, doc="Fronts pass a bar once: the clock reads the least depth on the way from the sea.")
     smooth_m: float = param(2.0, 0, 100, "m", "How far the clock's bed is smoothed, so that pebbles bend no front.")
     distance_range_m: float = param(
-        60.0, 1, 250, "m", "How far from the shoreline the shore map knows the distance to it (H11).", soft=(10, 120)
+        60.0, 1, 150, "m", "How far from the shoreline the shore map knows the distance to it (H11).", soft=(10, 80)
     )
 
 
