@@ -68,6 +68,8 @@ class Picture:
         """Whether a first or a sharper picture is due although nothing changes."""
         if self.drawn is None:
             return not self.failure
+        if self.renderer is not None and not self.renderer.generated.settled:
+            return True
         return self._unfinished or self._changed_at + SETTLE_S * 2 > time.monotonic()
 
     def _settled(self, editor: Editor, size: tuple[int, int]) -> bool:
@@ -132,7 +134,7 @@ class Picture:
         if self.renderer is None:
             from ..renderer import Renderer
 
-            self.renderer = Renderer(self.ctx)
+            self.renderer = Renderer(self.ctx, background=True)
         return self.renderer
 
     def _fail(self, error: Exception) -> None:

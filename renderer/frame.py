@@ -38,7 +38,8 @@ UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 PASSES: tuple[Pass, ...] = (
     Pass("shadow", ("shadow.glsl",), ("u_height",), ("u_shadow",),
          "Height of the land's shadow, kept while nothing changes."),
-    Pass("terrain", ("terrain.glsl",), ("u_height", "u_layer_cover"), GBUFFER, "Land into the G-buffer.", "D01"),
+    Pass("openness", ("openness.glsl",), ("u_height",), ("u_openness",), "Open sky over the land, kept likewise.", "L02 L03"),
+    Pass("terrain", ("terrain.glsl",), ("u_height", "u_openness", "u_layer_cover"), GBUFFER, "Land into the G-buffer.", "D01 L05"),
     Pass("under", (), GBUFFER, UNDER, "Copies what lies under the water.", "D02"),
     Pass("sea", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea into it.", "D01 D10 H05"),
     Pass("horizon", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea beyond the mesh.", "H21"),
@@ -99,7 +100,8 @@ class Frame:
 class Renderer:
     """Draws levels with one OpenGL context; can be thrown away and made again at any frame."""
 
-    def __init__(self, ctx) -> None:
+    def __init__(self, ctx, background: bool = False) -> None:
+        """`background`: draw with coarse textures while fine ones are made (Textures)."""
         from .program import Programs
         from .sky_textures import SkyTextures
         from .textures import Textures
@@ -108,7 +110,7 @@ class Renderer:
         self.ctx = ctx
         self.programs = Programs(ctx)
         self.uploader = Uploader(ctx)
-        self.generated = Textures(ctx)
+        self.generated = Textures(ctx, background)
         self.sky = SkyTextures(ctx)
         self.targets: dict[tuple, object] = {}
         self.meshes: dict[int, object] = {}
@@ -158,7 +160,7 @@ class Renderer:
         shown = copy.copy(level)  # shares arrays and caches, has settings of its own
         shown.settings = show.settings(level.settings)
         self.uploader.sync(level)
-        self.generated.update(row.mips_blended)
+        self.generated.update(row)
         self.sky.update(shown)
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
@@ -219,7 +221,7 @@ class Renderer:
 
     def release(self) -> None:
         """Give back everything on the GPU."""
-        owners = (self.targets, self.meshes, self.kept.get("shadows", {}))
+        owners = (self.targets, self.meshes, self.kept.get("shadows", {}), self.kept.get("openness", {}))
         for thing in (
             self.programs,
             self.uploader,
