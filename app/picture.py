@@ -84,7 +84,8 @@ class Picture:
         session = editor.session
         level = session.level
         looks = (session.camera, session.view, session.show, editor.overlays, editor.quality)
-        return (id(level), level.revision, session.clock.time_s, looks, size)
+        arrived = self.renderer.generated.arrived if self.renderer is not None else 0  # finer textures
+        return (id(level), level.revision, session.clock.time_s, looks, arrived, size)
 
     def _sharper(self, size: tuple[int, int]) -> tuple[int, int] | None:
         """The next larger size for a picture that stands still; None when this computer would take too long over it."""
@@ -147,10 +148,11 @@ class Picture:
         self.release()
 
     def gpu_bytes(self) -> dict[str, int]:
-        """Bytes of textures by layer name, and `other` for maps and targets."""
-        held = {"other": 0}
+        """Bytes of textures by layer name, and `generated` for textures, `other` for maps and targets."""
+        held = {"other": 0, "generated": 0}
         if self.renderer is None:
             return held
+        held["generated"] = sum(self.renderer.generated.bytes.values())
         targets = [t for owner in self.renderer.targets.values() for t in owner.textures.values()]
         for name, texture in [*self.renderer.uploader.textures.items(), *(("", t) for t in targets)]:
             layer = "height" if name == "u_height" else name.removeprefix("u_layer_")

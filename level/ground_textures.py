@@ -37,7 +37,7 @@ MATERIALS = (
     Material("shingle", 2.3, 0.060, 0.060, 90.0, 0.75, (0.55, 0.55, 0.60)),
     Material("strata", 8.5, 0.300, 0.120, 100.0, 0.82, (0.60, 0.30, 0.20)),
     Material("reef", 5.7, 0.220, 0.120, 90.0, 0.80, (0.30, 0.22, 0.30)),
-    Material("grass", 3.1, 0.060, 0.050, 90.0, 0.93, (0.20, 0.60, 0.15)),
+    Material("grass", 3.1, 0.045, 0.050, 90.0, 0.93, (0.20, 0.60, 0.15)),
     Material("dune grass", 4.3, 0.120, 0.060, 90.0, 0.92, (0.65, 0.75, 0.25)),
     Material("sea floor", 5.3, 0.075, 0.020, 40.0, 0.90, (0.30, 0.65, 0.75)),
     Material("weed", 3.3, 0.090, 0.050, 120.0, 0.85, (0.10, 0.35, 0.30)),
@@ -168,7 +168,7 @@ def _grass(size: int, seed: int):
     dome = np.maximum(1 - 1.2 * tuft.first, 0) * (0.35 + tuft.number)
     height = 1.5 * dome + 0.26 * blades + 0.5 * (1 - low.first) + 0.12 * under + 0.35 * clump
     tint = 0.45 + 0.20 * blades + 0.10 * under + 0.22 * (tuft.other - 0.5) + 0.25 * (dome - 0.3)
-    albedo = mix((0.050, 0.072, 0.022), (0.175, 0.215, 0.075), tint)
+    albedo = mix((0.054, 0.068, 0.026), (0.170, 0.190, 0.085), tint)
     straw = smooth(0.9, 1.9, blades + 1.2 * (low.other - 0.5) + 0.4 * clump)
     albedo = mix(albedo, (0.30, 0.255, 0.14), 0.65 * straw)
     return height, albedo, np.full_like(height, 0.93)
@@ -177,7 +177,7 @@ def _grass(size: int, seed: int):
 def _dune(size: int, seed: int):
     blades, tuft = _strands(size, seed, 11, 0.034, 1.6, 200)
     clump = waves(size, seed + 40, 1.4, 2, 20)
-    reach = 0.46 + 0.30 * (tuft.number - 0.5) + 0.10 * clump
+    reach = 0.55 + 0.30 * (tuft.number - 0.5) + 0.10 * clump
     cover = smooth(0.12, -0.12, tuft.first - reach + 0.13 * blades)
     sand = 0.12 * ripples(size, seed + 41, 30, 5.0, 0.9) + 0.08 * waves(size, seed + 42, 1.5, 2, 60)
     height = sand + cover * (0.9 + 1.3 * np.maximum(0.7 - tuft.first, 0) + 0.36 * blades)
@@ -205,7 +205,7 @@ def _weed(size: int, seed: int):
     fronds = comb(waves(size, seed + 1, -0.2, 30, 110), np.cos(turn), np.sin(turn), 0.055, 14)
     clump = waves(size, seed + 2, 1.3, 2, 30)
     height = fronds + 0.9 * clump
-    albedo = mix((0.030, 0.034, 0.015), (0.135, 0.115, 0.040), 0.42 + 0.24 * fronds + 0.12 * clump)
+    albedo = mix((0.038, 0.040, 0.018), (0.150, 0.130, 0.050), 0.42 + 0.24 * fronds + 0.12 * clump)
     return height, mix(albedo, (0.055, 0.10, 0.035), 0.5 * smooth(0.3, 1.4, clump)), np.full_like(height, 0.6)
 
 
@@ -213,7 +213,7 @@ MAKERS = (_sand, _shingle, _strata, _reef, _grass, _dune, _floor, _weed)
 
 
 def material(index: int, size: int, seed: int = 7) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Height (mean 0, metres are amplitude / SPAN a deviation), linear albedo `(size, size, 3)`, roughness of a layer."""
+    """A layer's height (mean 0, deviation 1, which is amplitude / SPAN metres), linear albedo, roughness, row 0 south."""
     height, albedo, roughness = MAKERS[index](size, 1000 * seed + 100 * index)
     height = height - height.mean()
     return height / max(height.std(), 1e-9), np.clip(albedo, 0.01, 0.9), roughness

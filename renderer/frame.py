@@ -38,8 +38,10 @@ UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 PASSES: tuple[Pass, ...] = (
     Pass("shadow", ("shadow.glsl",), ("u_height",), ("u_shadow",),
          "Height of the land's shadow, kept while nothing changes."),
-    Pass("openness", ("openness.glsl",), ("u_height",), ("u_openness",), "Open sky over the land, kept likewise.", "L02 L03"),
-    Pass("terrain", ("terrain.glsl",), ("u_height", "u_openness", "u_layer_cover"), GBUFFER, "Land into the G-buffer.", "D01 L05"),
+    Pass("openness", ("openness.glsl",), ("u_height",), ("u_openness",),
+         "Open sky over the land, kept likewise.", "L02 L03"),
+    Pass("terrain", ("terrain.glsl",), ("u_height", "u_openness", "u_layer_cover"), GBUFFER,
+         "Land into the G-buffer.", "D01 L05"),
     Pass("under", (), GBUFFER, UNDER, "Copies what lies under the water.", "D02"),
     Pass("sea", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea into it.", "D01 D10 H05"),
     Pass("horizon", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea beyond the mesh.", "H21"),

@@ -4,7 +4,8 @@ Chunks of level l have `chunk` × `chunk` cells of 2^l base cells and stand on a
 distance of a point `d = max(|dx|, |dy|, h)` (h: how far the camera is above or below what is drawn), a chunk is divided
 where its nearest point is closer than `r(l − 1)`, `r(l) = reach · chunk · 2^l` cells. Between MORPH · r(l) and r(l) the
 vertices of level l slide onto those of level l + 1, so both sides of a border are the same points; this holds for
-`reach ≥ 2 / (2 MORPH − 1)`, also where finer levels reach less far than coarser ones. Triangles without culling: (2 reach + 1)² · 2 chunk² · (1 + 3/4 levels) at most.
+`reach ≥ 2 / (2 MORPH − 1)`, also where finer levels reach less far than coarser ones. Triangles without culling:
+(2 reach + 1)² · 2 chunk² · (1 + 3/4 levels) at most.
 """
 
 from __future__ import annotations

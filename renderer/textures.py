@@ -33,11 +33,10 @@ SHARED = {
 
 
 class Textures:
-    """Generated textures by sampler name; `generation` counts arrivals, `bytes` is what each set holds on the GPU."""
+    """Generated textures by sampler name; `bytes` is what each set holds on the GPU."""
 
     def __init__(self, ctx: moderngl.Context, background: bool = False) -> None:
         self.ctx = ctx
-        self.generation = 0
         self.bytes: dict[str, int] = {}
         self._background = background
         self._pool = ThreadPoolExecutor(1, "textures") if background else None
@@ -61,6 +60,11 @@ class Textures:
     def settled(self) -> bool:
         """Whether nothing is on its way."""
         return not self._coming
+
+    @property
+    def arrived(self) -> int:
+        """How many sets have come, those not yet taken with them: a picture of fewer is out of date."""
+        return len(self.bytes) + sum(future.done() for future in self._coming.values())
 
     def update(self, tier: Tier) -> None:
         """Take what has arrived, ask for what `tier` needs, choose how detail is filtered."""
@@ -99,7 +103,6 @@ class Textures:
             old.release()
         self._sets[name] = _textures(self.ctx, name, pixels)
         self.bytes[name] = pixels.nbytes * 4 // 3  # with its mip levels
-        self.generation += 1
         log.info("textures: %s, %.1f MB on the GPU", name, self.bytes[name] / 1e6)
 
     def release(self) -> None:
@@ -123,7 +126,9 @@ def _make(name: str) -> np.ndarray:
 
 
 def _textures(ctx: moderngl.Context, name: str, pixels: np.ndarray) -> tuple:
-    return tuple(_array(ctx, layers) for layers in pixels) if name.startswith("ground") else (_tiling(ctx, pixels, name),)
+    return (
+        tuple(_array(ctx, layers) for layers in pixels) if name.startswith("ground") else (_tiling(ctx, pixels, name),)
+    )
 
 
 def _tiling(ctx: moderngl.Context, pixels: np.ndarray, name: str) -> moderngl.Texture:

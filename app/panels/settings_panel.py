@@ -12,7 +12,19 @@ from .. import param_widgets
 from ..editor import Editor
 
 OPEN = ("shore", "sea")
-ORDER = ("shore", "sea", "water", "light", "fog", "ground", "wet", "scatter", "walk", "time", "level")  # most turned first
+ORDER = (
+    "shore",
+    "sea",
+    "water",
+    "light",
+    "fog",
+    "ground",
+    "wet",
+    "scatter",
+    "walk",
+    "time",
+    "level",
+)  # most turned first
 TITLES = {"sea": "Open sea", "shore": "Shore waves", "water": "Water colour", "fog": "Haze", "wet": "Wet shore",
           "walk": "Walkable", "level": "Sea level and seed"}  # fmt: skip
 _filter = {"text": ""}

@@ -49,7 +49,14 @@ def terrain_view(level: Level, bounds: HeightBounds, tier: Tier, matrices: Matri
         beyond = (col0 < 0) | (row0 < 0) | (col1 > grid.cols - 1) | (row1 > grid.rows - 1)
         return np.where(beyond, np.minimum(lowest, floor), lowest), highest
 
-    lod = Lod(grid.cell_m / 2**fine, tier.terrain_chunk, tier.terrain_reach, tuple(side << fine for side in area), fine, NEAR_REACH)
+    lod = Lod(
+        grid.cell_m / 2**fine,
+        tier.terrain_chunk,
+        tier.terrain_reach,
+        tuple(side << fine for side in area),
+        fine,
+        NEAR_REACH,
+    )
     return lod, view, heights
 
 

@@ -48,13 +48,15 @@ void lay_over(inout float weights[LAYERS], int layer, float share) {
 }
 
 // Where a patchy thing lies: noise spread evenly over 0 … 1 above what leaves `amount` of it.
-float patches(float field, float amount) { return smoothstep(0.0, 0.12, field - mix(0.86, 0.10, amount)) * step(1e-4, amount); }
+float patches(float field, float amount, float edge) {
+    return smoothstep(-edge, edge, field - mix(0.86, 0.14, amount)) * step(1e-4, amount);
+}
 
 // Pebbles where the swash ends and at the feet of cliffs.
 float shingle_share(Site s, float rise) {
     float top = max(u_swash_top_m, 0.2), h = s.height + 0.4 * s.ragged;
     float swash = smoothstep(0.30 * top, 0.80 * top, h) * (1.0 - smoothstep(1.15 * top, 1.8 * top + 0.2, h));
-    swash *= patches(0.55 * s.broad.r + 0.30 * s.broad.g + 0.15 * s.mid.r, u_ground_shingle);
+    swash *= patches(0.55 * s.broad.r + 0.30 * s.broad.g + 0.15 * s.mid.r, u_ground_shingle, 0.10);
     float foot = (1.0 - smoothstep(0.74, 0.90, s.open + 0.12 * s.ragged)) * smoothstep(-0.9, 0.2, s.height)
         * (1.0 - smoothstep(u_ground_sand_top_m, u_ground_sand_top_m + 3.0, h)) * min(2.0 * u_ground_shingle, 1.0);
     return max(swash, foot) * (1.0 - smoothstep(0.45, 0.8, rise));
@@ -86,8 +88,8 @@ void ground_weights(Site s, out float weights[LAYERS]) {
     lay_over(weights, REEF, rock * (1.0 - cliff));
     if (bed > 0.2) {
         float field = 0.60 * s.broad.r + 0.24 * s.broad.g + 0.16 * s.mid.g;
-        float meadow = patches(field, 0.75 * u_ground_weed) * smoothstep(1.6, 3.2, bed) * (1.0 - smoothstep(12.0, 18.0, bed));
-        float on_rock = patches(0.5 * s.mid.r + 0.5 * s.mid.g, u_ground_weed) * smoothstep(0.2, 0.8, bed)
+        float meadow = patches(field, 0.62 * u_ground_weed, 0.14) * smoothstep(1.6, 3.2, bed) * (1.0 - smoothstep(12.0, 18.0, bed));
+        float on_rock = patches(0.5 * s.mid.r + 0.5 * s.mid.g, u_ground_weed, 0.14) * smoothstep(0.2, 0.8, bed)
             * (1.0 - smoothstep(12.0, 18.0, bed));
         lay_over(weights, WEED, mix(meadow, on_rock, rock) * (1.0 - s.cover.r));
     }
@@ -123,8 +125,8 @@ vec3 macro_tint(int layer, vec3 p, Site s, float height01, float pixel_m) {
         vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m), patchy = noise_at(turn(p.xy, 0.6, 0.8), 67.0, pixel_m);
         // dry on steep ground, green in the broad hollows
         float dry = 0.55 * wide.g + 0.30 * broad.g + 0.22 * mid.r + 0.8 * (1.0 - s.normal.z) + 0.16 * (patchy.b - 0.5) - 0.05;
-        vec3 tint = mix(vec3(0.80, 1.0, 0.86), vec3(1.85, 1.30, 1.40), smoothstep(0.30, 0.74, dry));
-        if (layer == DUNE) tint = mix(vec3(1.0), tint / 1.25, 0.4);  // half of it is sand
+        vec3 tint = mix(vec3(0.84, 0.94, 0.88), vec3(1.62, 1.14, 1.20), smoothstep(0.28, 0.78, dry));
+        if (layer == DUNE) tint = mix(vec3(0.96, 1.0, 0.90), tint / 1.2, 0.3);  // half of it is sand
         // scrub in thickets
         float field = 0.26 * patchy.g + 0.40 * patchy.b + 0.75 * (1.0 - wide.r) + 0.3 * (height01 - 0.5);
         float scrub = smoothstep(0.80, 0.94, field) * smoothstep(2.5, 6.0, s.height);
@@ -183,6 +185,7 @@ Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer)
         if (shares[k] < LEAST) continue;
         samples[k] = ground_sampled(layers[k], position, s.normal, pixel_m, tile);
         vec3 tint = macro_tint(layers[k], position, s, samples[k].height, pixel_m);
+        if (layers[k] == SAND) samples[k].lean *= mix(0.25, 1.1, smoothstep(0.3, 0.7, 0.6 * s.mid.g + 0.4 * s.broad.b));
         samples[k].albedo *= mix(vec3(1.0), tint, u_ground_macro);
         over[k] = 1.6 * shares[k] + 0.8 * samples[k].height;  // who stands higher covers the other
         most = max(most, over[k]);

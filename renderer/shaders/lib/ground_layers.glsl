@@ -10,6 +10,7 @@ const int SAND = 0, SHINGLE = 1, STRATA = 2, REEF = 3, GRASS = 4, DUNE = 5, FLOO
 // how much of the layer's second, larger scale is added; how many tiles of the first one it is long
 const float FAR[8] = float[8](0.22, 0.3, 0.55, 0.6, 0.5, 0.0, 0.3, 0.4);
 const float FAR_TILES = 6.3;
+const float STRANDS_LOD = 2.5;  // blades of the larger scale would be ropes: only their clumps are used
 
 // A place's own shift of the tiles: neighbouring patches show different parts of a tile, so that none is seen to repeat.
 struct Patch {
@@ -57,7 +58,8 @@ Sample ground_texel(int layer, vec2 xy, float tile_m, float pixel_m, Patch tile)
 // The larger scale: only height and slope.
 vec3 ground_far(int layer, vec2 xy, float pixel_m) {
     float tile_m = u_ground_layers[layer].x * FAR_TILES, texels = float(textureSize(u_ground_shape, 0).x);
-    vec4 shape = textureLod(u_ground_shape, vec3(xy / tile_m, float(layer)), log2(max(pixel_m * texels / tile_m, 1e-4)));
+    float lod = max(log2(max(pixel_m * texels / tile_m, 1e-4)), layer < GRASS || layer == FLOOR ? 0.0 : STRANDS_LOD);
+    vec4 shape = textureLod(u_ground_shape, vec3(xy / tile_m, float(layer)), lod);
     vec4 row = u_ground_layers[layer];
     return vec3((shape.xy * 2.0 - 1.0) * row.z * row.y / row.x, shape.z);
 }
