@@ -213,7 +213,7 @@ MAKERS = (_sand, _shingle, _strata, _reef, _grass, _dune, _floor, _weed)
 
 
 def material(index: int, size: int, seed: int = 7) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """A layer's height (mean 0, deviation 1, which is amplitude / SPAN metres), linear albedo, roughness, row 0 south."""
+    """A layer's height (mean 0, deviation 1, which is amplitude / SPAN metres), linear albedo, roughness."""
     height, albedo, roughness = MAKERS[index](size, 1000 * seed + 100 * index)
     height = height - height.mean()
     return height / max(height.std(), 1e-9), np.clip(albedo, 0.01, 0.9), roughness

@@ -40,7 +40,7 @@ TIERS: dict[str, Tier] = {
     tier.name: tier
     for tier in (
         Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 0.5, False, False, 256, True, 0, 512, 8),
-        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1.0, True, True, 512, False, 3, 1024, 12),
+        Tier("medium", 7.5, 8, 0.5, 8.0, 16, 2500.0, 1024, 1.0, True, True, 512, False, 3, 1024, 12),
         Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 1.0, True, True, 1024, False, 3, 2048, 16),
     )
 }

@@ -15,7 +15,7 @@ from ..mesh import MORPH, ChunkMesh, Lod, View, mesh_uniforms, select
 from ..quality import APRON_DEPTH_M, APRON_M, Tier
 from ..uniforms import set_uniforms
 
-NEAR_REACH = 6.0  # chunks: how far levels finer than the level's cells reach
+NEAR_REACH = 5.0  # chunks: how far levels finer than the level's cells reach
 OVERSHOOT = 0.3  # share of its samples' range by which a cubic may leave it
 
 

@@ -32,14 +32,16 @@ struct Site {
     float open;       // share of the sky it sees
     vec4 cover;       // painted: sand, rock, grass, always wet
     vec4 broad, mid;  // noise
+    Patch wide;       // its shifts
     float ragged;     // about −0.5 … 0.5
 };
 
 Site site_at(vec2 xy, vec3 normal, float height, float rough, float open, vec4 cover, float pixel_m) {
-    vec4 broad = noise_at(turn(xy, 0.43, 0.903), 173.0, pixel_m);
-    vec4 mid = noise_at(turn(xy, -0.31, 0.951), 31.0, pixel_m);
+    Patch wide = wide_patch(xy, pixel_m);
+    vec4 broad = free_noise(turn(xy, 0.43, 0.903), 173.0, pixel_m, wide);
+    vec4 mid = free_noise(turn(xy, -0.31, 0.951), 31.0, pixel_m, wide);
     float ragged = (mid.g - 0.5) * 0.55 + (mid.b - 0.5) * 0.35 + (broad.r - 0.5) * 0.5;
-    return Site(normal, height, rough, open, cover, broad, mid, ragged);
+    return Site(normal, height, rough, open, cover, broad, mid, wide, ragged);
 }
 
 void lay_over(inout float weights[LAYERS], int layer, float share) {
@@ -122,15 +124,15 @@ vec3 macro_tint(int layer, vec3 p, Site s, float height01, float pixel_m) {
         return tint * (1.0 + 0.18 * (broad.g - 0.5) + 0.12 * (mid.r - 0.5));
     }
     if (layer == GRASS || layer == DUNE) {
-        vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m), patchy = noise_at(turn(p.xy, 0.6, 0.8), 67.0, pixel_m);
+        vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m), patchy = free_noise(turn(p.xy, 0.6, 0.8), 67.0, pixel_m, s.wide);
         // dry on steep ground, green in the broad hollows
         float dry = 0.55 * wide.g + 0.30 * broad.g + 0.22 * mid.r + 0.8 * (1.0 - s.normal.z) + 0.16 * (patchy.b - 0.5) - 0.05;
-        vec3 tint = mix(vec3(0.84, 0.94, 0.88), vec3(1.62, 1.14, 1.20), smoothstep(0.28, 0.78, dry));
+        vec3 tint = mix(vec3(0.84, 0.94, 0.88), vec3(1.62, 1.14, 1.20), smoothstep(0.20, 0.86, dry));
         if (layer == DUNE) tint = mix(vec3(0.96, 1.0, 0.90), tint / 1.2, 0.3);  // half of it is sand
         // scrub in thickets
-        float field = 0.26 * patchy.g + 0.40 * patchy.b + 0.75 * (1.0 - wide.r) + 0.3 * (height01 - 0.5);
-        float scrub = smoothstep(0.80, 0.94, field) * smoothstep(2.5, 6.0, s.height);
-        return mix(tint, vec3(0.40, 0.46, 0.52), (layer == GRASS ? 0.8 : 0.3) * scrub) * (1.0 + 0.25 * (mid.g - 0.5));
+        float field = 0.45 * patchy.r + 0.25 * patchy.b + 0.55 * (1.0 - wide.r) + 0.25 * (height01 - 0.5);
+        float scrub = smoothstep(0.74, 0.98, field) * smoothstep(2.5, 6.0, s.height);
+        return mix(tint, vec3(0.50, 0.56, 0.58), (layer == GRASS ? 0.85 : 0.3) * scrub) * (1.05 + 0.25 * (mid.g - 0.5));
     }
     if (layer == WEED) return vec3(1.0 + 0.5 * (mid.r - 0.5));
     // beds of stone: thick bands of colour and courses, dipping and bent; the textures have the thin lines
@@ -176,7 +178,7 @@ Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer)
     vec3 shares;
     ground_weights(s, weights);
     heaviest(weights, layers, shares);
-    Patch tile = patch_at(position.xy, pixel_m);
+    Patch tile = small_patch(position.xy, pixel_m);
     Sample samples[MOST_LAYERS];
     float over[MOST_LAYERS];
     float most = 0.0;

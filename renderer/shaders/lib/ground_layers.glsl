@@ -28,10 +28,22 @@ struct Sample {
 
 vec2 patch_shift(float index) { return fract(sin(vec2(index * 12.99 + 1.7, index * 78.23 + 4.1)) * 43.7); }
 
-Patch patch_at(vec2 xy, float pixel_m) {
-    float place = 11.0 * noise_at(turn(xy, 0.25, 0.968), 307.0, pixel_m).r;
+Patch patch_at(float place) {
     float index = floor(place);
     return Patch(patch_shift(index), patch_shift(index + 1.0), smoothstep(0.3, 0.7, place - index));
+}
+
+// Patches some ten metres wide for the materials, and broad ones for the noise that tints them.
+Patch small_patch(vec2 xy, float pixel_m) { return patch_at(11.0 * noise_at(turn(xy, 0.25, 0.968), 307.0, pixel_m).r); }
+Patch wide_patch(vec2 xy, float pixel_m) { return patch_at(9.0 * noise_at(turn(xy, -0.66, 0.751), 877.0, pixel_m).r); }
+
+// Noise without a period: two shifts of it, blended so that its contrast stays (Heitz & Neyret 2018).
+vec4 free_noise(vec2 xy, float tile_m, float pixel_m, Patch tile) {
+    vec4 noise = noise_at(xy + tile.one * tile_m, tile_m, pixel_m);
+    if (tile.share <= 0.0) return noise;
+    if (tile.share >= 1.0) return noise_at(xy + tile.other * tile_m, tile_m, pixel_m);
+    noise = mix(noise, noise_at(xy + tile.other * tile_m, tile_m, pixel_m), tile.share) - 0.5;
+    return clamp(0.5 + noise * inversesqrt(1.0 - 2.0 * tile.share * (1.0 - tile.share)), 0.0, 1.0);
 }
 
 // sRGB to linear, a polynomial that leaves the curve by less than 0.002.
@@ -56,18 +68,23 @@ Sample ground_texel(int layer, vec2 xy, float tile_m, float pixel_m, Patch tile)
 }
 
 // The larger scale: only height and slope.
-vec3 ground_far(int layer, vec2 xy, float pixel_m) {
+vec3 ground_far(int layer, vec2 xy, float pixel_m, Patch tile) {
     float tile_m = u_ground_layers[layer].x * FAR_TILES, texels = float(textureSize(u_ground_shape, 0).x);
     float lod = max(log2(max(pixel_m * texels / tile_m, 1e-4)), layer < GRASS || layer == FLOOR ? 0.0 : STRANDS_LOD);
-    vec4 shape = textureLod(u_ground_shape, vec3(xy / tile_m, float(layer)), lod);
+    vec3 at = vec3(xy / tile_m + tile.one, float(layer));
+    vec4 shape = textureLod(u_ground_shape, at, lod);
+    if (tile.share > 0.0) {
+        at.xy += tile.other - tile.one;
+        shape = mix(shape, textureLod(u_ground_shape, at, lod), tile.share);
+    }
     vec4 row = u_ground_layers[layer];
     return vec3((shape.xy * 2.0 - 1.0) * row.z * row.y / row.x, shape.z);
 }
 
-Sample add_far(Sample near, int layer, vec2 xy, float pixel_m) {
+Sample add_far(Sample near, int layer, vec2 xy, float pixel_m, Patch tile) {
 #ifndef GROUND_CHEAP
     if (FAR[layer] > 0.0) {
-        vec3 far = ground_far(layer, turn(xy, -0.59, 0.807), pixel_m);
+        vec3 far = ground_far(layer, turn(xy, -0.59, 0.807), pixel_m, tile);
         near.lean.xy += FAR[layer] * turn(far.xy, 0.59, 0.807);
         near.height = clamp(near.height + FAR[layer] * (far.z - 0.5), 0.0, 1.0);
         near.albedo *= 1.0 + FAR[layer] * (far.z - 0.5);
@@ -89,13 +106,13 @@ Sample strata_sample(vec3 p, vec3 n, float pixel_m, Patch tile) {
 #ifndef GROUND_CHEAP
     if (east > 0.08) {
         side = ground_texel(STRATA, p.yz, tile_m, pixel_m, tile);
-        vec3 far = ground_far(STRATA, p.yz, pixel_m);
+        vec3 far = ground_far(STRATA, p.yz, pixel_m, tile);
         side.lean = vec3(0.0, side.lean.xy + FAR[STRATA] * far.xy);
         side.height += FAR[STRATA] * (far.z - 0.5);
     }
     if (east < 0.92) {
         Sample north = ground_texel(STRATA, p.xz, tile_m, pixel_m, tile);
-        vec3 far = ground_far(STRATA, p.xz, pixel_m);
+        vec3 far = ground_far(STRATA, p.xz, pixel_m, tile);
         north.lean = vec3(north.lean.x + FAR[STRATA] * far.x, 0.0, north.lean.y + FAR[STRATA] * far.y);
         north.height += FAR[STRATA] * (far.z - 0.5);
         side = east > 0.08 ? weighed(north, side, smoothstep(0.25, 0.75, east)) : north;
@@ -112,5 +129,5 @@ Sample strata_sample(vec3 p, vec3 n, float pixel_m, Patch tile) {
 
 Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile) {
     if (layer == STRATA) return strata_sample(p, n, pixel_m, tile);
-    return add_far(ground_texel(layer, p.xy, u_ground_layers[layer].x, pixel_m, tile), layer, p.xy, pixel_m);
+    return add_far(ground_texel(layer, p.xy, u_ground_layers[layer].x, pixel_m, tile), layer, p.xy, pixel_m, tile);
 }
