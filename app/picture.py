@@ -84,6 +84,8 @@ class Picture:
         """Whether a first or a sharper picture is due although nothing changes."""
         if self.drawn is None:
             return not self.failure
+        if self.renderer is not None and not self.renderer.generated.settled:
+            return True
         return self._unfinished or self._refining or self._changed_at + SETTLE_S * 2 > time.monotonic()
 
     def _settled(self, editor: Editor, size: tuple[int, int]) -> bool:
@@ -98,7 +100,8 @@ class Picture:
         session = editor.session
         level = session.level
         looks = (session.camera, session.view, session.show, editor.overlays, editor.quality)
-        return (id(level), level.revision, session.clock.time_s, looks, size)
+        arrived = self.renderer.generated.arrived if self.renderer is not None else 0  # finer textures
+        return (id(level), level.revision, session.clock.time_s, looks, arrived, size)
 
     def _sharper(self, size: tuple[int, int]) -> tuple[int, int] | None:
         """The next larger size for a picture that stands still; None when this computer would take too long over it."""
@@ -151,7 +154,7 @@ class Picture:
         if self.renderer is None:
             from ..renderer import Renderer
 
-            self.renderer = Renderer(self.ctx)
+            self.renderer = Renderer(self.ctx, background=True)
         return self.renderer
 
     def _fail(self, error: Exception) -> None:
@@ -164,10 +167,11 @@ class Picture:
         self.release()
 
     def gpu_bytes(self) -> dict[str, int]:
-        """Bytes of textures by layer name, and `other` for maps and targets."""
-        held = {"other": 0}
+        """Bytes of textures by layer name, and `generated` for textures, `other` for maps and targets."""
+        held = {"other": 0, "generated": 0}
         if self.renderer is None:
             return held
+        held["generated"] = sum(self.renderer.generated.bytes.values())
         targets = [t for owner in self.renderer.targets.values() for t in owner.textures.values()]
         for name, texture in [*self.renderer.uploader.textures.items(), *(("", t) for t in targets)]:
             layer = "height" if name == "u_height" else name.removeprefix("u_layer_")

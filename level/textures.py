@@ -1,4 +1,4 @@
-"""Seeded tiling textures: noise, ripples, foam, ground. Shader, twin, brushes and exporters share these arrays.
+"""Seeded tiling textures: noise, ripples, foam. Shader, twin, brushes and exporters share these arrays.
 
 Everything tiles on both axes, is made once from a seed and holds no file. Arrays are `(rows, cols, channels)`.
 """
@@ -8,6 +8,8 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
+
+from .tiling import smooth
 
 SIZE = 512
 
@@ -57,23 +59,9 @@ def equalise(values: np.ndarray) -> np.ndarray:
     return ranks.reshape(values.shape)
 
 
-def slopes(height: np.ndarray, tile: float) -> tuple[np.ndarray, np.ndarray]:
-    """Slope east and north of a tiling height whose period is `tile`, by central differences."""
-    step = 2 * tile / height.shape[0]
-    east = (np.roll(height, -1, 1) - np.roll(height, 1, 1)) / step
-    north = (np.roll(height, -1, 0) - np.roll(height, 1, 0)) / step
-    return east, north
-
-
 def to_bytes(*channels: np.ndarray) -> np.ndarray:
     """Channels in 0 … 1 as uint8 `(rows, cols, channels)`."""
     return np.round(np.clip(np.stack(channels, -1), 0, 1) * 255).astype(np.uint8)
-
-
-def smooth(low: float, high: float, x: np.ndarray) -> np.ndarray:
-    """GLSL's smoothstep."""
-    t = np.clip((x - low) / (high - low), 0, 1)
-    return t * t * (3 - 2 * t)
 
 
 @lru_cache(maxsize=4)
@@ -136,51 +124,3 @@ def ripple_texture(size: int = 256, seed: int = 7, spread: float = 2.0) -> np.nd
     scale = 1 / np.sqrt((east**2 + north**2).mean())
     east, north, height = east * scale, north * scale, height * scale
     return np.stack([east, north, east**2 + north**2, height], -1).astype(np.float32)
-
-
-def _layer(height: np.ndarray, tint: np.ndarray, steepest: float) -> np.ndarray:
-    """One ground layer: slope in RG (±`steepest` × deviation of the slope), height, tint."""
-    east, north = slopes(height, 1.0)
-    scale = 0.5 / (steepest * np.sqrt((east**2 + north**2).mean() / 2))
-    return to_bytes(0.5 + east * scale, 0.5 + north * scale, equalise(height), equalise(tint))
-
-
-def _bars(size: int, seed: int, count: float, spread: float, bend: float) -> np.ndarray:
-    """Ripple marks: a narrow band of spectrum round `count` crests along x, sharpened to crests and flat troughs."""
-    rng = np.random.default_rng(seed)
-    spectrum = np.fft.fft2(rng.standard_normal((size, size)))
-    ky, kx = np.meshgrid(*(np.fft.fftfreq(size, 1 / size),) * 2, indexing="ij")
-    band = np.exp(-(((np.abs(kx) - count) / spread) ** 2) - (ky / (spread * bend)) ** 2)
-    bars = np.fft.ifft2(spectrum * band).real
-    envelope = np.abs(np.fft.ifft2(spectrum * band * (kx > 0) * 2))
-    return bars / (envelope + 0.35 * envelope.mean())
-
-
-@lru_cache(maxsize=4)
-def ground_texture(size: int = SIZE, seed: int = 7) -> np.ndarray:
-    """uint8 `(4, size, size, 4)`: sand, rock, grass, sea floor; slope east, slope north, height, tint each."""
-    grain = spectral_noise(size, seed + 21, 0.25, 40, 250)
-    dunes = spectral_noise(size, seed + 22, 1.9, 2, 30)
-    wind = _bars(size, seed + 23, 34, 5.0, 0.9) * (
-        0.25 + 0.75 * smooth(-1.2, 1.2, spectral_noise(size, seed + 24, 1.6, 2, 12))
-    )
-    sand = 0.5 * wind + 0.9 * dunes + 0.055 * grain
-    bent = tuple(spectral_noise(size, seed + i, 1.7, 2, 60) * 0.02 for i in (25, 26))
-    first, second, number = worley(size, 7, seed + 27, bent)
-    crack = second - first
-    first2, second2, number2 = worley(size, 19, seed + 28, bent)
-    crack2 = second2 - first2
-    lumps = spectral_noise(size, seed + 29, 1.5, 3, 200)
-    rock = 0.35 * number + 0.16 * number2 + 0.35 * smooth(0, 0.16, crack) + 0.14 * smooth(0, 0.2, crack2) + 0.12 * lumps
-    blotch = spectral_noise(size, seed + 30, 1.0, 3, 120)
-    tuft, _, _ = worley(size, 46, seed + 31, bent)
-    blades = spectral_noise(size, seed + 32, 0.1, 60, 250)
-    grass = -tuft + 0.25 * spectral_noise(size, seed + 33, 1.3, 3, 60) + 0.12 * blades
-    bed = _bars(size, seed + 34, 17, 4.0, 1.1) + 0.5 * dunes + 0.05 * grain
-    layers = (
-        _layer(sand, grain + 0.6 * dunes, 3.5),
-        _layer(rock, blotch + 0.8 * number2, 4.0),
-        _layer(grass, blotch + 0.5 * blades, 3.5),
-        _layer(bed, dunes + 0.5 * grain, 3.5),
-    )
-    return np.stack(layers)

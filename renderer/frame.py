@@ -41,7 +41,10 @@ PASSES: tuple[Pass, ...] = (
          "Height of the land's shadow, kept while nothing changes."),
     Pass("prop_shadow", ("prop_shadow.glsl",), (), ("u_prop_shadow",),
          "Heights up to which scattered things shade, kept while nothing changes.", "L03"),
-    Pass("terrain", ("terrain.glsl",), ("u_height", "u_layer_cover"), GBUFFER, "Land into the G-buffer.", "D01"),
+    Pass("openness", ("openness.glsl",), ("u_height",), ("u_openness",),
+         "Open sky over the land, kept likewise.", "L02 L03"),
+    Pass("terrain", ("terrain.glsl",), ("u_height", "u_openness", "u_layer_cover"), GBUFFER,
+         "Land into the G-buffer.", "D01 L05"),
     Pass("scatter", ("scatter.glsl",), ("u_bed", "u_noise"), GBUFFER, "Rocks, driftwood and grass.", "L09"),
     Pass("contact", ("contact.glsl",), ("g_eye_depth",), ("g_albedo",), "Less sky at the foot of things.", "L03"),
     Pass("under", (), GBUFFER, UNDER, "Copies what lies under the water.", "D02"),
@@ -106,7 +109,8 @@ class Frame:
 class Renderer:
     """Draws levels with one OpenGL context; can be thrown away and made again at any frame."""
 
-    def __init__(self, ctx) -> None:
+    def __init__(self, ctx, background: bool = False) -> None:
+        """`background`: draw with coarse textures while fine ones are made (Textures)."""
         from .program import Programs
         from .sky_textures import SkyTextures
         from .textures import Textures
@@ -115,7 +119,7 @@ class Renderer:
         self.ctx = ctx
         self.programs = Programs(ctx)
         self.uploader = Uploader(ctx)
-        self.generated = Textures(ctx)
+        self.generated = Textures(ctx, background)
         self.sky = SkyTextures(ctx)
         self.targets: dict[tuple, object] = {}
         self.meshes: dict[int, object] = {}
@@ -170,7 +174,7 @@ class Renderer:
         shown = copy.copy(level)  # shares arrays and caches, has settings of its own
         shown.settings = view.changed(show.settings(level.settings))
         self.uploader.sync(level)
-        self.generated.update(row.mips_blended)
+        self.generated.update(row)
         self.sky.update(shown)
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
@@ -231,7 +235,7 @@ class Renderer:
 
     def release(self) -> None:
         """Give back everything on the GPU."""
-        owners = (self.targets, self.meshes, self.kept.get("shadows", {}), self.kept.get("scatter", {}))
+        owners = (self.targets, self.meshes, *(self.kept.get(name, {}) for name in ("shadows", "scatter", "openness")))
         kept = [thing for thing in self.kept.values() if hasattr(thing, "release")]
         parts = (self.programs, self.uploader, self.generated, self.sky, *kept)
         for thing in (*parts, *(t for held in owners for t in held.values())):

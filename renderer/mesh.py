@@ -4,7 +4,8 @@ Chunks of level l have `chunk` × `chunk` cells of 2^l base cells and stand on a
 distance of a point `d = max(|dx|, |dy|, h)` (h: how far the camera is above or below what is drawn), a chunk is divided
 where its nearest point is closer than `r(l − 1)`, `r(l) = reach · chunk · 2^l` cells. Between MORPH · r(l) and r(l) the
 vertices of level l slide onto those of level l + 1, so both sides of a border are the same points; this holds for
-`reach ≥ 2 / (2 MORPH − 1)`. Triangles without culling: (2 reach + 1)² · 2 chunk² · (1 + 3/4 levels) at most.
+`reach ≥ 2 / (2 MORPH − 1)`, also where finer levels reach less far than coarser ones. Triangles without culling:
+(2 reach + 1)² · 2 chunk² · (1 + 3/4 levels) at most.
 """
 
 from __future__ import annotations
@@ -18,20 +19,26 @@ MORPH = 0.75  # from this part of a level's range its vertices slide
 
 @dataclass(frozen=True)
 class Lod:
-    """`cell_m` metres a base cell, `area` (col0, row0, col1, row1) in base cells that must be covered."""
+    """`cell_m` metres a base cell, `area` (col0, row0, col1, row1) in base cells that must be covered.
+
+    The first `near` levels have a `near_reach` of their own, no longer than `reach`.
+    """
 
     cell_m: float
     chunk: int
     reach: float
     area: tuple[int, int, int, int]
+    near: int = 0
+    near_reach: float = 4.0
 
     def __post_init__(self) -> None:
-        if self.chunk % 2 or self.reach < 2 / (2 * MORPH - 1):
+        least = min(self.reach, self.near_reach) if self.near else self.reach
+        if self.chunk % 2 or least < 2 / (2 * MORPH - 1) or (self.near and self.near_reach > self.reach):
             raise ValueError(f"chunk {self.chunk} and reach {self.reach} would leave cracks")
 
     def range_cells(self, level: int) -> float:
         """The distance, in base cells, at which this level gives way to the next."""
-        return self.reach * self.chunk * 2.0**level
+        return (self.near_reach if level < self.near else self.reach) * self.chunk * 2.0**level
 
     @property
     def levels(self) -> int:
@@ -117,7 +124,9 @@ def mesh_uniforms(lod: Lod, view: View) -> dict:
         "u_mesh_camera_cell": tuple(int(v) for v in cell),
         "u_mesh_camera_rest": tuple(float(v) for v in rest),
         "u_mesh_above_m": view.above_m,
-        "u_mesh_range_m": lod.range_cells(0) * lod.cell_m,
+        "u_mesh_range_m": lod.reach * lod.chunk * lod.cell_m,
+        "u_mesh_near": lod.near,
+        "u_mesh_near_range_m": lod.near_reach * lod.chunk * lod.cell_m,
         "u_mesh_morph": MORPH,
         "u_mesh_area": lod.area,
     }

@@ -32,14 +32,50 @@ class Tier:
     scale: float
     sea_exact: bool  # the drawn surface is found along each pixel's ray: the twin's within 3 cm, not the mesh's
     mips_blended: bool  # detail textures blend between two mip levels, which in software costs a second fetch
+    ground_texels: int  # samples a side of the ground's textures; all have one pattern
+    ground_cheap: bool  # two materials a pixel at one scale
+    ground_levels: int  # levels of the terrain mesh finer than the level's cells
+    openness_size: int  # samples a side of the map of the open sky
+    openness_ways: int  # horizons a sample
 
+
+def _columns(**rows: tuple) -> tuple[dict, ...]:
+    """A table of (low, medium, high) by field as one dictionary a tier."""
+    return tuple({name: values[i] for name, values in rows.items()} for i in range(3))
+
+
+_LAND = _columns(
+    terrain_reach=(5.0, 7.5, 14.0),
+    terrain_chunk=(8, 8, 8),
+    ground_levels=(0, 3, 3),
+    scatter_share=(0.4, 0.75, 1.0),
+    scatter_reach=(0.7, 1.0, 1.4),
+)
+_SEA = _columns(
+    sea_cell_m=(1.0, 0.5, 0.25),
+    sea_reach=(5.0, 8.0, 14.0),
+    sea_chunk=(16, 16, 16),
+    sea_distance_m=(1500.0, 2500.0, 4000.0),
+    sea_exact=(False, True, True),
+)
+_LIGHT = _columns(
+    shadow_size=(512, 1024, 2048),
+    prop_shadow_size=(512, 1024, 2048),
+    openness_size=(512, 1024, 2048),
+    openness_ways=(8, 12, 16),
+)
+_GROUND = _columns(
+    mips_blended=(False, True, True),
+    ground_texels=(256, 512, 1024),
+    ground_cheap=(True, False, False),
+)
 
 TIERS: dict[str, Tier] = {
     tier.name: tier
     for tier in (
-        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 512, 0.4, 0.7, 0.5, False, False),
-        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1024, 0.75, 1.0, 1.0, True, True),
-        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 2048, 1.0, 1.4, 1.0, True, True),
+        Tier("low", **_LAND[0], **_SEA[0], **_LIGHT[0], **_GROUND[0], scale=0.5),
+        Tier("medium", **_LAND[1], **_SEA[1], **_LIGHT[1], **_GROUND[1], scale=1.0),
+        Tier("high", **_LAND[2], **_SEA[2], **_LIGHT[2], **_GROUND[2], scale=1.0),
     )
 }
 

@@ -6,30 +6,61 @@ import contextlib
 import shutil
 import sys
 import tempfile
+from dataclasses import dataclass, field
 from io import StringIO
 from pathlib import Path
 
 ROOT = Path(__file__).parents[1]
 PICTURES = ROOT / "docs" / "pictures"
+
+
+@dataclass(frozen=True)
+class Shot:
+    """A picture: `camera` a name, or x, y, z, yaw, pitch."""
+
+    name: str
+    level: str
+    camera: str
+    time_s: float = 14.0
+    environment: str = ""
+    view: str = "final"
+    size: str = "1280x720"
+    settings: dict = field(default_factory=dict)
+
+
 EVENING = {
     "light.sun_azimuth_deg": 255.0,
     "light.sun_elevation_deg": 12.0,
     "light.exposure_ev": 12.9,
     "shore.height_m": 1.4,
 }
-
-# name, level, camera (a name, or x, y, z, yaw, pitch), view, time, settings
 SHOTS = (
-    ("cove", "cove", "612,420,2.4,113,0", "final", 14.3, EVENING),
-    ("cove-play", "cove", "play", "final", 14.0, {}),
-    ("cove-beach", "cove", "beach", "final", 14.0, {}),
-    ("cove-survey", "cove", "survey", "final", 14.0, {}),
-    ("cove-against-light", "cove", "560,432,5,250,-5", "final", 14.3, EVENING),
-    ("cove-sculpted", "cove+session", "play", "final", 14.0, {}),
-    ("cove-lines", "cove", "play", "wave_line", 14.0, {}),
-    ("cove-walkable", "cove", "survey", "walkable", 14.0, {}),
-    ("island-survey", "island", "survey", "final", 14.0, {}),
-    ("island-play", "island", "play", "final", 14.0, {}),
+    Shot("cove", "cove", "612,420,2.4,113,0", 14.3, settings=EVENING),
+    Shot("cove-play", "cove", "play"),
+    Shot("cove-beach", "cove", "beach"),
+    Shot("cove-survey", "cove", "survey"),
+    Shot("cove-against-light", "cove", "560,432,5,250,-5", 14.3, settings=EVENING),
+    Shot("cove-sculpted", "cove+session", "play"),
+    Shot("cove-lines", "cove", "play", view="wave_line"),
+    Shot("cove-walkable", "cove", "survey", view="walkable"),
+    Shot("island-survey", "island", "survey"),
+    Shot("island-play", "island", "play"),
+)
+
+# What docs/light.md shows of each row; the pictures beside them are of the version before
+SMALL = "640x360"
+ROWS = (
+    Shot("light/L01", "cove", "survey", 14.0, "moonlit", size=SMALL),
+    Shot("light/L02", "cove", "612,420,2.4,113,0", 14.3, "golden_hour", size=SMALL),
+    Shot("light/L03", "cove", "740,385,4.5,110,8", 17.0, "noon", size=SMALL),
+    Shot("light/L04", "cove", "560,300,6,200,-2", 17.0, "noon", size=SMALL),
+    Shot("light/L05", "cove", "560,505,7.9,80,-10", 17.0, "noon", size=SMALL),
+    Shot("light/L06", "cove", "640,412,3.2,129,-12", 18.0, "noon", size=SMALL),
+    Shot("light/L07", "cove", "560,432,5,250,-5", 14.3, "golden_hour", size=SMALL),
+    Shot("light/L08", "island", "beach", 14.0, "noon", "lookdev", SMALL),
+    Shot("light/L09", "cove", "620,470,7.2,20,-15", 15.0, "noon", size=SMALL),
+    Shot("light/H10", "cove", "play", 14.0, "noon", "beach_slice", SMALL, {"water.on": False}),
+    Shot("light/H11", "cove", "survey", 14.0, "noon", "shore_distance", SMALL),
 )
 
 # level: a sheet of its cameras under every environment (L08)
@@ -85,18 +116,25 @@ def draw_sheets(folder: Path) -> int:
     return 0
 
 
-def main() -> int:
-    """Draw every shot and sheet into docs/pictures and print the path of each, one a line."""
+def draw(shot: Shot, folder: Path) -> int:
+    """One shot into docs/pictures."""
     from shorewright.app.cli import main as shorewright
 
-    PICTURES.mkdir(parents=True, exist_ok=True)
+    path = PICTURES / f"{shot.name}.jpg"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    sets = [word for key, value in shot.settings.items() for word in ("--set", f"{key}={value}")]
+    light = ["--environment", shot.environment] if shot.environment else []
+    return shorewright(
+        ["render", str(level_of(shot.level, folder)), "-o", str(path), "--camera", shot.camera, "--view", shot.view,
+         "--time", str(shot.time_s), "--size", shot.size, "--samples", "4", *light, *sets]
+    )  # fmt: skip
+
+
+def main() -> int:
+    """Draw every shot and sheet into docs/pictures and print the path of each, one a line."""
     with tempfile.TemporaryDirectory() as folder:
-        for name, level, camera, view, time_s, settings in SHOTS:
-            sets = [word for key, value in settings.items() for word in ("--set", f"{key}={value}")]
-            code = shorewright(
-                ["render", str(level_of(level, Path(folder))), "-o", str(PICTURES / f"{name}.jpg"), "--camera", camera,
-                 "--view", view, "--time", str(time_s), "--size", "1280x720", "--samples", "4", *sets]
-            )  # fmt: skip
+        for shot in (*SHOTS, *ROWS):
+            code = draw(shot, Path(folder))
             if code:
                 return code
         return draw_sheets(Path(folder))

@@ -9,7 +9,9 @@ from shorewright.renderer.uniforms import set_uniforms
 from shorewright.renderer.views import VIEWS
 
 VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": ""}),
-            "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
+            "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "openness.glsl": ({"WAYS": "8", "STEPS": "11"},),
+            "terrain.glsl": ({"GROUND_CHEAP": ""}, {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": ""}),
+            "light.glsl": ({}, {"WHITE": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
             "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)

@@ -38,7 +38,7 @@ def memory(editor: Editor, gpu: dict[str, int]) -> dict[str, Memory]:
 
 
 def draw(editor: Editor, gpu: dict[str, int]) -> None:
-    """`gpu` is bytes of texture by layer name, and `other` for everything else the renderer holds."""
+    """`gpu` is bytes of texture by layer name, `generated` ones, and `other` for everything else the renderer holds."""
     held = memory(editor, gpu)
     flags = imgui.TableFlags_.row_bg | imgui.TableFlags_.pad_outer_x | imgui.TableFlags_.borders_inner_h
     if imgui.begin_table("###layers", 5, flags):
@@ -48,7 +48,7 @@ def draw(editor: Editor, gpu: dict[str, int]) -> None:
         imgui.table_headers_row()
         for name in LAYERS:
             _row(editor, name, held[name])
-        _total(editor, held, gpu.get("other", 0))
+        _total(editor, held, gpu.get("generated", 0), gpu.get("other", 0))
         imgui.end_table()
 
 
@@ -72,10 +72,11 @@ def _row(editor: Editor, name: str, held: Memory) -> None:
         imgui.text_colored(theme.colour(theme.INK_FAINT), text)
 
 
-def _total(editor: Editor, held: dict[str, Memory], other_gpu: int) -> None:
+def _total(editor: Editor, held: dict[str, Memory], generated: int, other_gpu: int) -> None:
     cpu, undo = sum(m.cpu for m in held.values()), editor.session.journal.bytes
-    gpu = sum(m.gpu for m in held.values()) + other_gpu
+    gpu = sum(m.gpu for m in held.values()) + generated + other_gpu
     for label, texts in (
+        ("Generated textures", ("", "", _bytes(generated), "")),
         ("Targets, maps", ("", "", _bytes(other_gpu), "")),
         ("All", ("", _bytes(cpu), _bytes(gpu), _bytes(undo))),
     ):

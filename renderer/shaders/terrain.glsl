@@ -1,15 +1,35 @@
-// The land into the G-buffer: the height texture on the morphing mesh, ground material by slope, height and paint.
+// The land into the G-buffer: the height texture on the morphing mesh, ground materials by rule and paint (L05).
+// RELIEF: near the camera cells are finer than the level's; heights between samples and the materials' relief fill them.
 #include "lib/frame.glsl"
-#include "lib/height.glsl"
+#include "lib/openness.glsl"
+#include "lib/ground.glsl"
+#include "lib/layer.glsl"
+uniform sampler2D u_layer_cover;
+
+// Painted borders follow the ground, not the cells.
+vec2 torn_at(vec2 xy, float pixel_m) { return (noise_at(xy, 9.0, pixel_m).gb - 0.5) * 1.4; }
+
+Site terrain_site(vec2 xy, vec3 normal, float height, vec2 torn, float pixel_m) {
+    Openness sky = openness_at(xy + 0.8 * torn);
+    vec4 cover = layer_at(u_layer_cover, xy + torn, u_cell_m);
+    return site_at(xy, normal, height, sky.rough, sky.open, cover, pixel_m);
+}
 
 #ifdef VERTEX
 #include "lib/mesh.glsl"
+#ifdef RELIEF
+#include "lib/relief.glsl"
+float vertex_height(ivec2 cell) { return relief_height(cell); }
+#else
+float vertex_height(ivec2 cell) { return height_texel(cell); }
+#endif
 out vec3 v_relative;
 
 void main() {
     MeshVertex v = mesh_vertex();
     vec2 relative = slide(mesh_relative(v.cell), mesh_relative(v.parent), v.morph);
-    float height = slide(height_texel(v.cell), height_texel(v.parent), v.morph);
+    float height = vertex_height(v.cell);
+    if (v.morph > 0.0) height = slide(height, vertex_height(v.parent), v.morph);
     v_relative = vec3(relative, height - u_camera.z);
     gl_Position = u_view_projection * vec4(v_relative, 1.0);
 }
@@ -18,12 +38,11 @@ void main() {
 #ifdef FRAGMENT
 #define WRITE_GBUFFER
 #include "lib/gbuffer.glsl"
-#include "lib/ground.glsl"
-#include "lib/land_light.glsl"
-#include "lib/layer.glsl"
 #include "lib/wet.glsl"
-uniform sampler2D u_layer_cover;
 in vec3 v_relative;
+#ifdef SHOW_GROUND
+uniform vec3 u_ground_colours[LAYERS];  // of the view
+#endif
 
 void main() {
     vec3 position = u_camera + v_relative;
@@ -31,12 +50,11 @@ void main() {
     float pixel_m = pixel_metres(v_relative, flat_normal);
     vec3 ground = ground_filtered(position.xy, pixel_m);
     vec3 normal = ground_normal(ground.yz);
-    float height = position.z - u_still_m;
-    vec2 torn = (noise_at(position.xy, 9.0, pixel_m).gb - 0.5) * 1.4;  // painted borders follow the ground, not the cells
-    vec4 cover = layer_at(u_layer_cover, position.xy + torn, u_cell_m);
-    Wet wet = shore_wet(position.xy, height, pixel_m);
-    float rough, open = sky_open(position.xy + 0.8 * torn, ground.yz, rough);
-    Ground g = ground_at(position, normal, height, rough, wet.damp, cover, pixel_m);
+    vec2 torn = torn_at(position.xy, pixel_m);
+    Site site = terrain_site(position.xy, normal, position.z - u_still_m, torn, pixel_m);
+    Wet wet = shore_wet(position.xy, site.height, pixel_m);
+    int layer;
+    Ground g = ground_at(position, site, wet.damp, pixel_m, layer);
     float film = wet.film * smoothstep(0.9, 0.97, normal.z);
     g.normal = normalize(mix(g.normal, normal, 0.85 * film));
     g.roughness = mix(g.roughness, 0.07, film);
@@ -44,7 +62,11 @@ void main() {
     Foam lace = shore_lace(wet, position.xy, pixel_m);
     g.albedo = mix(g.albedo, foam_albedo(lace), lace.cover);
     g.roughness = mix(g.roughness, FOAM_ROUGHNESS, lace.cover);
-    write_gbuffer(Surface(g.albedo, open, g.normal, g.roughness, g.specular, LAND, lace.cover, wet.damp, vec3(0.0),
-                          eye_depth_of(v_relative), position.xy));
+    vec3 shown = vec3(0.0);
+#ifdef SHOW_GROUND
+    shown = u_ground_colours[layer];
+#endif
+    write_gbuffer(Surface(g.albedo, site.open, g.normal, g.roughness, g.specular, LAND, lace.cover, wet.damp,
+                          shown, eye_depth_of(v_relative), position.xy));
 }
 #endif

@@ -1,16 +1,21 @@
-// Ground material by slope, height and paint: sand, rock, grass, sea floor; borders broken by noise, blended by height.
-// Everything comes from two samplers; level of detail is explicit, so that fetches may stand in branches.
-#include "lib/noise.glsl"
+// Ground by rule (L05): weights of eight materials from slope, height, roughness, open sky, water and paint; the two or
+// three heaviest are sampled and meet by height.
+#include "lib/ground_layers.glsl"
 
-uniform sampler2DArray u_ground;      // layers sand, rock, grass, sea floor: slope east, slope north, height, tint
 uniform float u_ground_sand_top_m;
 uniform float u_ground_rock_slope;    // slopes as rise over run
 uniform float u_ground_grass_slope;
+uniform float u_ground_shingle, u_ground_weed, u_ground_macro, u_ground_detail;
+uniform float u_swash_top_m;          // how high the shore waves run up
+uniform float u_wet_splash_m;         // and over it the splash on rock
 
-const float SAND = 0.0, ROCK = 1.0, GRASS = 2.0, FLOOR = 3.0;
-const float GROUND_TEXELS = 512.0;
-const float FLAT_LOD = 6.5;      // from there on a layer is its mean: not worth the fetch
+#ifdef GROUND_CHEAP
+const int MOST_LAYERS = 2;
+#else
+const int MOST_LAYERS = 3;
+#endif
 const float DARK_DEPTH_M = 30.0;  // no light comes back from deeper beds
+const float LEAST = 0.04;         // a lighter layer isn't worth its fetches
 
 struct Ground {
     vec3 albedo;
@@ -19,163 +24,194 @@ struct Ground {
     float specular;   // reflectance seen from straight above
 };
 
-// One layer at a scale: slopes −1 … 1, height and tint 0 … 1.
-vec4 ground_layer(vec2 xy, float tile_m, float layer, float pixel_m) {
-    float lod = log2(max(pixel_m * GROUND_TEXELS / tile_m, 1e-4));
-    if (lod > FLAT_LOD) return vec4(0.0, 0.0, 0.5, 0.5);
-    vec4 v = textureLod(u_ground, vec3(xy / tile_m, layer), lod);
-    return vec4(v.xy * 2.0 - 1.0, v.zw);
-}
+// What is known of a place before its materials are chosen.
+struct Site {
+    vec3 normal;
+    float height;     // over the still sea
+    float rough;      // change of slope round it
+    float open;       // share of the sky it sees
+    vec4 cover;       // painted: sand, rock, grass, always wet
+    vec4 broad, mid;  // noise
+    Patch wide;       // its shifts
+    float ragged;     // about −0.5 … 0.5
+};
 
-vec3 tilt(vec3 normal, vec2 slope) { return normalize(normal - vec3(slope, 0.0)); }
-
-Ground sand_ground(vec3 p, vec3 n, float pixel_m, vec4 broad) {
-    vec4 near = ground_layer(turn(p.xy, 0.36, 0.933), 4.3, SAND, pixel_m);
-    vec4 far = ground_layer(turn(p.xy, -0.59, 0.807), 23.0, SAND, pixel_m);
-    // the wind ripples come and go
-    float combed = smoothstep(0.30, 0.75, broad.b * 0.5 + broad.g * 0.5);
-    vec2 slope = turn(near.xy, -0.36, 0.933) * 0.16 + turn(far.xy, 0.59, 0.807) * (0.03 + 0.12 * combed);
-    vec3 tint = mix(vec3(0.43, 0.355, 0.255), vec3(0.49, 0.42, 0.315), broad.r);
-    tint *= 0.86 + 0.16 * near.w + 0.12 * (far.z - 0.5) + 0.16 * (broad.g - 0.35);
-    // specks of shell and dark grains
-    tint *= 1.0 - 0.35 * smoothstep(0.94, 1.0, near.w) * (1.0 - smoothstep(0.01, 0.08, pixel_m));
-    return Ground(tint, tilt(n, slope), 0.9, 0.03);
-}
-
-// Three planes, weighed by the normal; `lean` returns the change of the normal, z the height, w the tint.
-vec4 rock_layer(vec3 p, vec3 n, float tile_m, float pixel_m, out vec3 lean) {
-    vec3 w = pow(abs(n), vec3(4.0));
-    w /= w.x + w.y + w.z;
-    vec4 sum = vec4(0.0);
-    lean = vec3(0.0);
-    if (w.z > 0.04) {
-        vec4 v = ground_layer(p.xy, tile_m, ROCK, pixel_m);
-        sum += v * w.z;
-        lean += vec3(v.xy, 0.0) * w.z;
-    }
-    if (w.x > 0.04) {
-        vec4 v = ground_layer(p.yz * vec2(1.0, 1.35), tile_m, ROCK, pixel_m);
-        sum += v * w.x;
-        lean += vec3(0.0, v.xy) * w.x;
-    }
-    if (w.y > 0.04) {
-        vec4 v = ground_layer(p.xz * vec2(1.0, 1.35) + 3.7, tile_m, ROCK, pixel_m);
-        sum += v * w.y;
-        lean += vec3(v.x, 0.0, v.y) * w.y;
-    }
-    return sum;
-}
-
-Ground rock_ground(vec3 p, vec3 n, float height, float pixel_m, vec4 broad, vec4 mid) {
-    vec3 lean, lean_far, lean_fine = vec3(0.0);
-    vec4 near = rock_layer(p, n, 6.5, pixel_m, lean);
-    vec4 far = rock_layer(p.yxz + 11.3, n.yxz, 31.0, pixel_m, lean_far);
-    float close = 1.0 - smoothstep(0.012, 0.045, pixel_m);
-    vec4 fine = vec4(0.0, 0.0, 0.5, 0.5);
-    if (close > 0.0) fine = rock_layer(p.zxy + 4.9, n.zxy, 1.3, pixel_m, lean_fine);
-    // beds of stone at three scales: thick bands of colour, courses, and thin lines; dipping and bent
-    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 3.2 * (broad.r - 0.5) + 0.8 * (far.z - 0.5);
-    vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
-    vec4 course = textureLod(u_noise, vec2((bed + 0.25 * near.z) * 0.11, 0.71), log2(max(pixel_m * 56.0, 1.0)));
-    float cliff = smoothstep(0.15, 0.6, 1.0 - n.z);
-    vec3 tint = mix(vec3(0.165, 0.150, 0.135), vec3(0.36, 0.315, 0.255), smoothstep(0.25, 0.75, band.g));
-    tint = mix(tint, vec3(0.40, 0.29, 0.19), 0.55 * smoothstep(0.62, 0.95, band.r));
-    tint *= 0.44 + 0.50 * near.z + 0.42 * far.z + 0.22 * (near.w - 0.5) + 0.5 * (fine.z - 0.5);
-    tint *= 0.75 + 0.5 * broad.g;
-    // soft courses weather back: a dark joint under each ledge, most on cliffs
-    float joint = 1.0 - smoothstep(0.05, 0.30, course.g);
-    tint *= 1.0 + mix(0.25, 0.7, cliff) * (0.34 * (course.g - 0.5) + 0.22 * (course.b - 0.5) - 0.45 * joint);
-    tint = mix(tint, vec3(0.34, 0.33, 0.26), 0.35 * smoothstep(0.72, 0.95, mid.g * 0.6 + near.w * 0.4)
-                                                 * smoothstep(3.0, 9.0, height));  // lichen
-    float ledge = 0.16 * (band.b - 0.5) + 0.55 * (course.g - 0.5) + 0.25 * (course.b - 0.5);
-    vec3 normal = n - 0.55 * lean - 0.5 * lean_far.yxz - 0.45 * close * lean_fine.yzx;
-    normal = normalize(normal + vec3(0.0, 0.0, ledge * cliff));
-    return Ground(tint, normal, 0.82, 0.04);
-}
-
-Ground grass_ground(vec3 p, vec3 n, float height, float pixel_m, vec4 broad, vec4 mid) {
-    vec4 near = ground_layer(turn(p.xy, 0.71, 0.704), 5.1, GRASS, pixel_m);
-    vec4 far = ground_layer(p.xy, 37.0, GRASS, pixel_m);
-    vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m);
-    // dry on open, sunward and steep ground, green in the broad hollows
-    float dry = 0.55 * wide.g + 0.30 * broad.g + 0.20 * mid.r + 0.20 * far.w + 0.8 * (1.0 - n.z) - 0.15;
-    dry = smoothstep(0.28, 0.72, dry);
-    vec4 patchy = noise_at(turn(p.xy, 0.6, 0.8), 67.0, pixel_m);
-    vec3 tint = mix(vec3(0.050, 0.074, 0.020), vec3(0.165, 0.132, 0.060), dry);
-    tint *= 0.50 + 0.55 * near.z + 0.45 * far.z;
-    // scrub in thickets, darker in the hollows of the broad noise
-    float field = 0.26 * patchy.g + 0.40 * patchy.b + 0.75 * (1.0 - wide.r) + 0.16 * (near.z - 0.5);
-    float scrub = smoothstep(0.78, 0.96, field) * smoothstep(2.5, 6.0, height);
-    tint = mix(tint, vec3(0.026, 0.038, 0.015) * (0.55 + 0.9 * patchy.b + 0.3 * near.z), 0.75 * scrub);
-    vec2 slope = turn(near.xy, -0.71, 0.704) * 0.55 + far.xy * 0.45;
-    return Ground(tint, tilt(n, slope), 0.93, 0.03);
-}
-
-Ground floor_ground(vec3 p, vec3 n, float depth, float pixel_m, vec4 broad, vec4 mid) {
-    vec4 near = ground_layer(turn(p.xy, 0.28, 0.96), 7.0, FLOOR, pixel_m);
-    vec4 far = ground_layer(turn(p.xy, -0.5, 0.866), 29.0, FLOOR, pixel_m);
-    float shallow = exp(-max(depth, 0.0) * 0.25);
-    vec2 slope = turn(near.xy, -0.28, 0.96) * (0.12 + 0.12 * shallow) + turn(far.xy, 0.5, 0.866) * 0.15;
-    vec3 tint = mix(vec3(0.40, 0.345, 0.255), vec3(0.47, 0.41, 0.31), broad.r) * (0.80 + 0.2 * near.z + 0.14 * far.z);
-    float weed = smoothstep(0.60, 0.86, 0.60 * broad.r + 0.24 * broad.g + 0.12 * mid.g + 0.10 * near.z);
-    weed *= smoothstep(1.2, 3.0, depth) * (1.0 - smoothstep(13.0, 22.0, depth));
-    tint = mix(tint, vec3(0.055, 0.070, 0.030) * (0.7 + 0.9 * near.w), 0.82 * weed);
-    return Ground(tint, tilt(n, slope), 0.9, 0.03);
-}
-
-Ground mix_ground(Ground a, Ground b, float t) {
-    return Ground(mix(a.albedo, b.albedo, t), normalize(mix(a.normal, b.normal, t)), mix(a.roughness, b.roughness, t),
-                  mix(a.specular, b.specular, t));
-}
-
-// `rough` change of slope round the place, `wet` 0 … 1 from the swash, `painted_cover` sand, rock, grass, always wet.
-Ground ground_at(
-    vec3 position, vec3 normal, float height_above_sea, float rough, float wet, vec4 painted_cover, float pixel_m
-) {
-    if (height_above_sea < -DARK_DEPTH_M) return Ground(vec3(0.3, 0.27, 0.2), normal, 0.9, 0.03);
-    vec4 broad = noise_at(turn(position.xy, 0.43, 0.903), 173.0, pixel_m);
-    vec4 mid = noise_at(turn(position.xy, -0.31, 0.951), 31.0, pixel_m);
-    float h = height_above_sea;
-    float rise = length(normal.xy) / max(normal.z, 0.05);
+Site site_at(vec2 xy, vec3 normal, float height, float rough, float open, vec4 cover, float pixel_m) {
+    Patch wide = wide_patch(xy, pixel_m);
+    vec4 broad = free_noise(turn(xy, 0.43, 0.903), 173.0, pixel_m, wide);
+    vec4 mid = free_noise(turn(xy, -0.31, 0.951), 31.0, pixel_m, wide);
     float ragged = (mid.g - 0.5) * 0.55 + (mid.b - 0.5) * 0.35 + (broad.r - 0.5) * 0.5;
+    return Site(normal, height, rough, open, cover, broad, mid, wide, ragged);
+}
 
+void lay_over(inout float weights[LAYERS], int layer, float share) {
+    for (int i = 0; i < LAYERS; ++i) weights[i] *= 1.0 - share;
+    weights[layer] += share;
+}
+
+// Where a patchy thing lies: noise spread evenly over 0 … 1 above what leaves `amount` of it.
+float patches(float field, float amount, float edge) {
+    return smoothstep(-edge, edge, field - mix(0.86, 0.14, amount)) * step(1e-4, amount);
+}
+
+// Pebbles where the swash ends and at the feet of cliffs.
+float shingle_share(Site s, float rise) {
+    float top = max(u_swash_top_m, 0.2), h = s.height + 0.4 * s.ragged;
+    float swash = smoothstep(0.30 * top, 0.80 * top, h) * (1.0 - smoothstep(1.15 * top, 1.8 * top + 0.2, h));
+    swash *= patches(0.55 * s.broad.r + 0.30 * s.broad.g + 0.15 * s.mid.r, u_ground_shingle, 0.10);
+    float foot = (1.0 - smoothstep(0.74, 0.90, s.open + 0.12 * s.ragged)) * smoothstep(-0.9, 0.2, s.height)
+        * (1.0 - smoothstep(u_ground_sand_top_m, u_ground_sand_top_m + 3.0, h)) * min(2.0 * u_ground_shingle, 1.0);
+    return max(swash, foot) * (1.0 - smoothstep(0.45, 0.8, rise));
+}
+
+void ground_weights(Site s, out float weights[LAYERS]) {
+    float h = s.height, ragged = s.ragged, rise = length(s.normal.xy) / max(s.normal.z, 0.05);
     float rock = smoothstep(0.85, 1.25, rise / u_ground_rock_slope + 0.5 * ragged);
     float steep = smoothstep(0.95, 1.45, rise / u_ground_grass_slope + 0.7 * ragged);
     float dry_land = smoothstep(-1.0, 1.0, (h - u_ground_sand_top_m) / 0.9 + 2.2 * ragged);
     float grass = dry_land * (1.0 - steep);
     rock = max(rock, dry_land * steep);
-    // flat but broken ground by the sea is a platform of rock, not a beach
-    rock = max(rock, smoothstep(0.085, 0.17, rough + 0.02 * ragged) * (1.0 - dry_land) * smoothstep(-0.3, 0.5, h));
-    rock = mix(rock, 1.0, painted_cover.g) * (1.0 - max(painted_cover.r, painted_cover.b));
-    grass = mix(grass * (1.0 - painted_cover.r), 1.0, painted_cover.b);
+    // flat but broken ground by the sea is a reef, not a beach
+    rock = max(rock, smoothstep(0.085, 0.17, s.rough + 0.02 * ragged) * (1.0 - dry_land));
+    rock = mix(rock, 1.0, s.cover.g) * (1.0 - max(s.cover.r, s.cover.b));
+    grass = mix(grass * (1.0 - s.cover.r), 1.0, s.cover.b);
+    float cliff = smoothstep(0.42, 0.75, rise + 0.25 * ragged);
+    float seaward = 1.0 - smoothstep(0.6, 3.4, h - u_ground_sand_top_m + 3.5 * ragged);
+    seaward *= 1.0 - smoothstep(0.5, 0.9, rise);
+    float bed = -h + 0.3 * ragged;
 
-    Ground g;
-    if (h < -0.6) g = floor_ground(position, normal, -h, pixel_m, broad, mid);
-    else {
-        g = sand_ground(position, normal, pixel_m, broad);
-        if (h < 0.0) g = mix_ground(g, floor_ground(position, normal, -h, pixel_m, broad, mid), -h / 0.6);
+    for (int i = 0; i < LAYERS; ++i) weights[i] = 0.0;
+    weights[SAND] = 1.0;
+    lay_over(weights, FLOOR, smoothstep(0.1, 0.7, bed) * (1.0 - s.cover.r));
+    if (h > -1.0) lay_over(weights, SHINGLE, shingle_share(s, rise) * (1.0 - s.cover.r));
+    lay_over(weights, GRASS, grass * (1.0 - seaward));
+    lay_over(weights, DUNE, grass * seaward);
+    lay_over(weights, STRATA, rock * cliff);
+    lay_over(weights, REEF, rock * (1.0 - cliff));
+    if (bed > 0.2) {
+        float field = 0.60 * s.broad.r + 0.24 * s.broad.g + 0.16 * s.mid.g;
+        float meadow = patches(field, 0.62 * u_ground_weed, 0.14) * smoothstep(1.6, 3.2, bed) * (1.0 - smoothstep(12.0, 18.0, bed));
+        float on_rock = patches(0.5 * s.mid.r + 0.5 * s.mid.g, u_ground_weed, 0.14) * smoothstep(0.2, 0.8, bed)
+            * (1.0 - smoothstep(12.0, 18.0, bed));
+        lay_over(weights, WEED, mix(meadow, on_rock, rock) * (1.0 - s.cover.r));
     }
-    if (grass > 0.01) {
-        Ground turf = grass_ground(position, normal, h, pixel_m, broad, mid);
-        g = mix_ground(g, turf, height_blend(grass, 0.5 * mid.g, mid.b * 0.7 + 0.1, 0.25));
+}
+
+// The heaviest layers, heaviest first.
+void heaviest(float weights[LAYERS], out ivec3 layers, out vec3 shares) {
+    layers = ivec3(0);
+    shares = vec3(-1.0);
+    for (int i = 0; i < LAYERS; ++i) {
+        float w = weights[i];
+        if (w > shares.x) {
+            shares = vec3(w, shares.xy);
+            layers = ivec3(i, layers.xy);
+        } else if (w > shares.y) {
+            shares.yz = vec2(w, shares.y);
+            layers.yz = ivec2(i, layers.y);
+        } else if (w > shares.z) {
+            shares.z = w;
+            layers.z = i;
+        }
     }
-    float splash = 0.0;
-    if (rock > 0.01) {
-        Ground stone = rock_ground(position, normal, h, pixel_m, broad, mid);
-        // dark and slimy up to where the splash reaches
-        splash = 1.0 - smoothstep(0.9, 2.6, h + 1.6 * ragged);
-        stone.albedo *= mix(vec3(1.0), vec3(0.42, 0.43, 0.40), splash);
-        stone.roughness = mix(stone.roughness, 0.42, splash * smoothstep(-0.3, 0.2, h));
-        float t = height_blend(rock, 0.35 * mid.b, 0.55 * mid.g, 0.3);
-        g = mix_ground(g, stone, t);
-        wet *= 1.0 - 0.7 * t;
+}
+
+// Broad change of colour over many tiles, by material; its mean is about one.
+vec3 macro_tint(int layer, vec3 p, Site s, float height01, float pixel_m) {
+    vec4 broad = s.broad, mid = s.mid;
+    if (layer == SAND || layer == FLOOR || layer == SHINGLE) {
+        vec3 tint = mix(vec3(0.93, 0.91, 0.88), vec3(1.07, 1.08, 1.11), broad.r);
+        return tint * (1.0 + 0.18 * (broad.g - 0.5) + 0.12 * (mid.r - 0.5));
     }
-    wet = max(wet, painted_cover.a) * smoothstep(-0.5, -0.1, h);
-    // a film of water darkens what it fills and lies smoother than the grains
+    if (layer == GRASS || layer == DUNE) {
+        vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m), patchy = free_noise(turn(p.xy, 0.6, 0.8), 67.0, pixel_m, s.wide);
+        // dry on steep ground, green in the broad hollows
+        float dry = 0.55 * wide.g + 0.30 * broad.g + 0.22 * mid.r + 0.8 * (1.0 - s.normal.z) + 0.16 * (patchy.b - 0.5) - 0.05;
+        vec3 tint = mix(vec3(0.84, 0.94, 0.88), vec3(1.62, 1.14, 1.20), smoothstep(0.20, 0.86, dry));
+        if (layer == DUNE) tint = mix(vec3(0.96, 1.0, 0.90), tint / 1.2, 0.3);  // half of it is sand
+        // scrub in thickets
+        float field = 0.45 * patchy.r + 0.25 * patchy.b + 0.55 * (1.0 - wide.r) + 0.25 * (height01 - 0.5);
+        float scrub = smoothstep(0.74, 0.98, field) * smoothstep(2.5, 6.0, s.height);
+        return mix(tint, vec3(0.50, 0.56, 0.58), (layer == GRASS ? 0.85 : 0.3) * scrub) * (1.05 + 0.25 * (mid.g - 0.5));
+    }
+    if (layer == WEED) return vec3(1.0 + 0.5 * (mid.r - 0.5));
+    // beds of stone: thick bands of colour and courses, dipping and bent; the textures have the thin lines
+    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 3.2 * (broad.r - 0.5);
+    vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
+    vec3 tint = mix(vec3(0.72, 0.72, 0.74), vec3(1.22, 1.20, 1.16), smoothstep(0.25, 0.75, band.g));
+    tint = mix(tint, vec3(1.30, 1.04, 0.80), 0.6 * smoothstep(0.62, 0.95, band.r));
+    vec4 course = textureLod(u_noise, vec2((bed + 0.35 * height01) * 0.11, 0.71), log2(max(pixel_m * 56.0, 1.0)));
+    float cliff = smoothstep(0.15, 0.5, 1.0 - s.normal.z);
+    tint *= 1.0 + cliff * (0.30 * (course.g - 0.5) - 0.40 * (1.0 - smoothstep(0.05, 0.30, course.g)));
+    return tint * (0.82 + 0.36 * broad.g);
+}
+
+// The mean square of the slopes that a pixel can't show makes it rougher: alpha² + variance (Cox & Munk 1954; L04).
+float rougher(float roughness, float variance) {
+    float alpha = roughness * roughness;
+    return min(sqrt(sqrt(alpha * alpha + variance)), 1.0);
+}
+
+// Dark and slimy rock, up to where the splash reaches; the weight of rock.
+float splash_on(inout Ground g, Site s, float rock) {
+    float top = u_swash_top_m + u_wet_splash_m;
+    float splash = rock * (1.0 - smoothstep(0.5 * top, 1.25 * top, s.height + 1.2 * s.ragged));
+    g.albedo *= mix(vec3(1.0), vec3(0.42, 0.43, 0.40), splash);
+    g.roughness = mix(g.roughness, 0.45, splash * smoothstep(-0.3, 0.2, s.height));
+    return splash;
+}
+
+// A film of water darkens what it fills and lies smoother than the grains.
+void wet_through(inout Ground g, vec3 normal, float wet) {
     g.albedo *= mix(vec3(1.0), vec3(0.50, 0.49, 0.48), wet);
     g.roughness = mix(g.roughness, 0.30, wet);
     g.specular = mix(g.specular, 0.025, wet);
-    g.normal = normalize(mix(g.normal, normal, 0.75 * wet));
-    return g;
+    g.normal = normalize(mix(g.normal, normal, 0.6 * wet));
 }
 
+// `wet` 0 … 1 from the swash; `layer` is the one that shows most.
+Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer) {
+    layer = FLOOR;
+    if (s.height < -DARK_DEPTH_M) return Ground(vec3(0.3, 0.27, 0.2), s.normal, 0.9, 0.03);
+    float weights[LAYERS];
+    ivec3 layers;
+    vec3 shares;
+    ground_weights(s, weights);
+    heaviest(weights, layers, shares);
+    Patch tile = small_patch(position.xy, pixel_m);
+    Sample samples[MOST_LAYERS];
+    float over[MOST_LAYERS];
+    float most = 0.0;
+    for (int k = 0; k < MOST_LAYERS; ++k) {
+        over[k] = -9.0;
+        if (shares[k] < LEAST) continue;
+        samples[k] = ground_sampled(layers[k], position, s.normal, pixel_m, tile);
+        vec3 tint = macro_tint(layers[k], position, s, samples[k].height, pixel_m);
+        if (layers[k] == SAND) samples[k].lean *= mix(0.25, 1.1, smoothstep(0.3, 0.7, 0.6 * s.mid.g + 0.4 * s.broad.b));
+        samples[k].albedo *= mix(vec3(1.0), tint, u_ground_macro);
+        over[k] = 1.6 * shares[k] + 0.8 * samples[k].height;  // who stands higher covers the other
+        most = max(most, over[k]);
+    }
+    vec3 albedo = vec3(0.0), lean = vec3(0.0);
+    float sum = 0.0, roughness = 0.0, variance = 0.0, rock = 0.0, best = 0.0;
+    for (int k = 0; k < MOST_LAYERS; ++k) {
+        if (shares[k] < LEAST) continue;
+        float part = max(over[k] - most + 0.3, 0.0) * smoothstep(LEAST, 3.0 * LEAST, shares[k]);
+        albedo += part * samples[k].albedo;
+        lean += part * samples[k].lean;
+        roughness += part * samples[k].roughness;
+        variance += part * samples[k].variance;
+        rock += part * float(layers[k] == STRATA || layers[k] == REEF);
+        sum += part;
+        if (part > best) layer = layers[k];
+        best = max(best, part);
+    }
+    sum = 1.0 / max(sum, 1e-5);
+    float detail = u_ground_detail;
+    Ground g = Ground(min(albedo * sum, 0.9), normalize(s.normal - detail * sum * lean),
+                      rougher(roughness * sum, detail * detail * variance * sum), 0.03);
+    splash_on(g, s, rock * sum);
+    wet = max(wet * (1.0 - 0.7 * rock * sum), s.cover.a) * smoothstep(-0.5, -0.1, s.height);
+    wet_through(g, s.normal, wet);
+    return g;
+}
