@@ -37,8 +37,8 @@ class Tier:
 TIERS: dict[str, Tier] = {
     tier.name: tier
     for tier in (
-        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 512, 0.4, 0.7, 0.5, False, False),
-        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1024, 0.75, 1.0, 1.0, True, True),
+        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 512, 0.5, 0.75, 0.5, False, False),
+        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1024, 0.8, 1.0, 1.0, True, True),
         Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 2048, 1.0, 1.4, 1.0, True, True),
     )
 }
