@@ -38,6 +38,7 @@ class Tiles:
     revision: int = 0
     changes: int = 0
     held: dict[tuple[str, int, int], np.ndarray] = field(default_factory=dict)
+    ranges: dict[tuple[int, int], tuple[float, float]] = field(default_factory=dict)  # lowest and highest ground
 
 
 def scatter_instances(level: Level, kind: str, rect: Rect | None = None) -> np.ndarray:
@@ -87,6 +88,7 @@ def sync(level: Level) -> Tiles:
     tiles: Tiles = level.derived.setdefault("scatter", Tiles())
     if tiles.key != key:
         tiles.held.clear()
+        tiles.ranges.clear()
         tiles.key, tiles.changes = key, tiles.changes + 1
     elif tiles.revision != level.revision:
         for layer, reach_m in LAYERS_READ.items():
@@ -101,9 +103,22 @@ def _drop(level: Level, tiles: Tiles, rect: Rect, reach_m: float) -> None:
     reach_m += 2 * cell_m  # gradients look at the neighbours
     touched = set(tiles_within(level, rect.col0 * cell_m - reach_m, rect.row0 * cell_m - reach_m,
                                rect.col1 * cell_m + reach_m, rect.row1 * cell_m + reach_m))  # fmt: skip
+    for tile in touched:
+        tiles.ranges.pop(tile, None)
     for known in [known for known in tiles.held if known[1:] in touched]:
         del tiles.held[known]
         tiles.changes += 1
+
+
+def tile_ranges(level: Level, tiles: list[tuple[int, int]]) -> np.ndarray:
+    """Lowest and highest ground of tiles, `(n, 2)` metres."""
+    known, cells = sync(level).ranges, TILE_M / level.grid.cell_m
+    for col, row in tiles:
+        if (col, row) not in known:
+            ground = level.height[int(row * cells) : int((row + 1) * cells) + 2,
+                                  int(col * cells) : int((col + 1) * cells) + 2]  # fmt: skip
+            known[col, row] = (float(ground.min()), float(ground.max())) if ground.size else (np.inf, -np.inf)
+    return np.array([known[tile] for tile in tiles]).reshape(-1, 2)
 
 
 def chance(col: np.ndarray, row: np.ndarray, salt: int) -> np.ndarray:

@@ -98,16 +98,16 @@ def _tan(degrees: float) -> float:
 def boulders(p: Place) -> np.ndarray:
     """Fallen at the feet of cliffs, down into the shallows; a few on flat rock."""
     fallen = smooth(0.12, 0.55, p.foot) * smooth(1.1, 0.6, p.slope)
-    clusters = smooth(0.38, 0.66, 0.6 * p.noise(13.0, 1) + 0.4 * p.noise(5.0, 2))
+    clusters = smooth(0.30, 0.62, 0.6 * p.noise(13.0, 1) + 0.4 * p.noise(5.0, 2))
     strewn = 0.16 * stony(p) * smooth(0.7, 0.35, p.slope) * smooth(2.5, 1.2, p.over)
-    return (1.9 * fallen + strewn) * clusters * _shallow(p, 2.6) * smooth(12.0, 5.0, p.over)
+    return (2.3 * fallen + strewn) * clusters * _shallow(p, 2.6) * smooth(12.0, 5.0, p.over)
 
 
 def stones(p: Place) -> np.ndarray:
     """Round the boulders, and in patches where the swash sorts them."""
     fallen = smooth(0.06, 0.40, p.foot) * smooth(1.0, 0.5, p.slope) * smooth(12.0, 5.0, p.over)
     clusters = smooth(0.38, 0.68, 0.55 * p.noise(13.0, 1) + 0.45 * p.noise(3.1, 4))
-    patches = smooth(0.62, 0.84, 0.65 * p.noise(21.0, 5) + 0.35 * p.noise(4.3, 6))
+    patches = smooth(0.56, 0.80, 0.65 * p.noise(21.0, 5) + 0.35 * p.noise(4.3, 6))
     return (1.9 * fallen * clusters + 0.8 * _sorted(p) * patches + 0.010 * (1 - turf(p))) * _shallow(p, 1.6)
 
 
@@ -180,7 +180,7 @@ STONE, WOOD, GREEN = (0.62, 0.60, 0.58), (0.85, 0.55, 0.25), (0.25, 0.70, 0.25)
 SCATTER: dict[str, Kind] = {
     row.name: row
     for row in (
-        Kind("boulder", "Boulders", "rocks", 3.2, (0.35, 1.7), 2.2, boulders, anywhere, 0.40, "rock", 0.5, 0.25,
+        Kind("boulder", "Boulders", "rocks", 2.6, (0.32, 1.7), 2.4, boulders, anywhere, 0.40, "rock", 0.5, 0.25,
              False, 0.0, (1.75, 0.75), 3.2, STONE),
         Kind("stone", "Stones", "rocks", 1.25, (0.10, 0.42), 2.2, stones, anywhere, 0.45, "rock", 0.8, 0.25,
              False, 0.0, (1.7, 0.65), 0.95, (0.45, 0.50, 0.60)),
@@ -190,7 +190,7 @@ SCATTER: dict[str, Kind] = {
              True, 0.0, (0.16, 0.6), 1.6, WOOD),
         Kind("branch", "Branches", "driftwood", 1.45, (0.25, 1.1), 1.7, branches, on_land, 0.40, "branch", 1.0, 0.008,
              True, 0.0, (0.2, 0.4), 0.6, (0.95, 0.75, 0.35)),
-        Kind("dune_grass", "Dune grass", "grass", 0.62, (0.40, 0.95), 1.3, dune_grass, above_swash, 0.85, "dune_grass",
+        Kind("dune_grass", "Dune grass", "grass", 0.62, (0.42, 1.0), 1.3, dune_grass, above_swash, 0.85, "dune_grass",
              0.25, 0.05, False, 1.0, (0.75, 0.55), 1.0, (0.55, 0.75, 0.25)),
         Kind("meadow", "Tussocks", "grass", 0.74, (0.15, 0.40), 1.3, meadow, above_swash, 0.55, "tussock",
              0.4, 0.05, False, 0.7, (0.8, 0.5), 0.75, GREEN),

@@ -90,30 +90,33 @@ def icosphere(level: int) -> tuple[np.ndarray, np.ndarray]:
     return v / np.linalg.norm(v, axis=1, keepdims=True), f
 
 
-def rock(rng: np.random.Generator, detail: int, sharp: float = 22.0, planes: int = 13) -> Mesh:
-    """A ball cut by planes whose edges the sea has worn: r = (Σ (d · n / offset)^p)^(−1/p), a larger p the sharper."""
+def rock(rng: np.random.Generator, detail: int, sharp: float = 34.0, planes: int = 11, bury: float = 0.46) -> Mesh:
+    """A ball cut by planes whose edges are worn: r = (Σ (d · n / offset)^p)^(−1/p), the larger p the sharper.
+
+    A few planes cut deep and leave flat faces, the others break the edges between them.
+    """
     directions, indices = icosphere(3 - detail)
     normals = rng.normal(size=(planes, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    offsets = rng.uniform(0.62, 1.0, planes)
-    turns = rng.normal(size=(6, 3)) * np.array([2.2, 2.2, 2.2, 5.0, 5.0, 5.0])[:, None]
-    phases, squash = rng.uniform(0, 6.28, 6), np.array([1.0, rng.uniform(0.66, 0.92), rng.uniform(0.5, 0.72)])
-    lean = rng.normal(size=3) * (0.25, 0.25, 0.0)
+    offsets = np.where(np.arange(planes) % 2, rng.uniform(0.74, 0.92, planes), rng.uniform(0.52, 0.74, planes))
+    turns = rng.normal(size=(6, 3)) * np.array([2.0, 2.0, 4.5, 4.5, 9.0, 9.0])[:, None]
+    phases, squash = rng.uniform(0, 6.28, 6), np.array([1.0, rng.uniform(0.64, 0.95), rng.uniform(0.55, 0.80)])
+    lean = rng.normal(size=2) * 0.2
     cut = np.maximum(directions @ normals.T, 0.0) / offsets
-    r = (np.sum(cut**sharp, axis=1) + 0.9**-sharp * 0.5) ** (-1 / sharp)
-    waves = np.sin(directions @ turns.T + phases) * np.array([0.05, 0.05, 0.05, 0.018, 0.018, 0.018])
+    r = (np.sum(cut**sharp, axis=1) + 0.96**-sharp) ** (-1 / sharp)
+    waves = np.sin(directions @ turns.T + phases) * np.array([0.03, 0.03, 0.018, 0.018, 0.008, 0.008])
     vertices = directions * (r * (1 + waves.sum(axis=1)))[:, None] * squash
-    vertices[:, 2] += vertices[:, :2] @ lean[:2]
+    vertices[:, 2] += vertices[:, :2] @ lean
     vertices[:, :2] -= (vertices[:, :2].max(axis=0) + vertices[:, :2].min(axis=0)) / 2
     vertices /= np.sqrt((vertices[:, :2] ** 2).sum(axis=1).max())
     low, high = vertices[:, 2].min(), vertices[:, 2].max()
-    vertices[:, 2] -= low + 0.36 * (high - low)  # more than a third is in the ground
+    vertices[:, 2] -= low + bury * (high - low)  # cut by the ground about where it is widest: it doesn't stand on it
     return _join([(vertices, vertex_normals(vertices, indices), np.zeros(len(vertices)), indices)])
 
 
 def pebble(rng: np.random.Generator, detail: int) -> Mesh:
     """Rolled round."""
-    return rock(rng, detail + 1, 6.0, 9)
+    return rock(rng, detail + 1, 7.0, 9, 0.36)
 
 
 # Driftwood
@@ -242,7 +245,7 @@ def tuft(
 
 def dune_grass(rng: np.random.Generator, detail: int) -> Mesh:
     """Marram: upright, stiff, tips that arch over."""
-    return tuft(rng, detail, 26, 0.20, 0.70, 1.25, 0.015)
+    return tuft(rng, detail, 38, 0.24, 0.75, 1.25, 0.019)
 
 
 def tussock(rng: np.random.Generator, detail: int) -> Mesh:

@@ -48,8 +48,8 @@ _LAND = _columns(
     terrain_reach=(5.0, 7.5, 14.0),
     terrain_chunk=(8, 8, 8),
     ground_levels=(0, 3, 3),
-    scatter_share=(0.4, 0.75, 1.0),
-    scatter_reach=(0.7, 1.0, 1.4),
+    scatter_share=(0.5, 0.8, 1.0),
+    scatter_reach=(0.75, 1.0, 1.4),
 )
 _SEA = _columns(
     sea_cell_m=(1.0, 0.5, 0.25),

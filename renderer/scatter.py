@@ -11,12 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..level import Level
-from ..level.scatter import EMPTY, TILE_M, scatter_tiles, sync, tiles_within
+from ..level.scatter import EMPTY, TILE_M, scatter_tiles, sync, tile_ranges, tiles_within
 from ..level.scatter_kinds import SCATTER, Kind
 from ..level.scatter_meshes import MESHES, mesh
 from .quality import Tier
 
 FADE = 0.2  # last part of its distance over which a thing shrinks away
+SPAN_M = 6.0  # how far a thing reaches past its tile
 LEAST_PX = 0.9  # smaller ones are left out
 DETAIL_PX = {
     "rock": (50, 12),
@@ -63,23 +64,20 @@ def near(level: Level, name: str, eye: Eye, far: float) -> np.ndarray:
     middles = (np.array(tiles, np.float64).reshape(-1, 2) + 0.5) * TILE_M
     away = np.linalg.norm(np.maximum(np.abs(middles - (x, y)) - TILE_M / 2, 0), axis=1)
     tiles = [tile for tile, off in zip(tiles, away, strict=True) if off < far]
-    tiles = tiles if eye.planes is None else [tile for tile in tiles if _tile_seen(level, tile, eye)]
+    if eye.planes is not None and tiles:
+        tiles = [tile for tile, seen in zip(tiles, _tiles_seen(level, tiles, eye), strict=True) if seen]
     return np.concatenate([EMPTY, *scatter_tiles(level, name, tiles).values()])
 
 
-def _tile_seen(level: Level, tile: tuple[int, int], eye: Eye) -> bool:
-    """Whether a tile's column, from the deepest to the highest ground, is inside every plane."""
-    cell_m, span = level.grid.cell_m, 4.0
-    low, high = (np.array(tile) * TILE_M, (np.array(tile) + 1) * TILE_M)
-    col0, row0 = np.maximum((low / cell_m).astype(int), 0)
-    col1, row1 = np.ceil(high / cell_m).astype(int) + 1
-    ground = level.height[row0:row1, col0:col1]
-    if not ground.size:
-        return False
-    ends = np.array([[*low, ground.min()], [*high, ground.max()]]) - eye.position
-    ends += np.array([[-span], [span]])
-    farthest = np.maximum(eye.planes[:, :3] * ends[0], eye.planes[:, :3] * ends[1]).sum(axis=1)
-    return bool((farthest + eye.planes[:, 3] >= 0).all())
+def _tiles_seen(level: Level, tiles: list[tuple[int, int]], eye: Eye) -> np.ndarray:
+    """Which tiles have a part, from the deepest to the highest ground and what stands on it, inside every plane."""
+    corner, heights = np.array(tiles, np.float64) * TILE_M, tile_ranges(level, tiles)
+    low = np.column_stack([corner, heights[:, 0]]) - SPAN_M - eye.position
+    high = np.column_stack([corner + TILE_M, heights[:, 1]]) + SPAN_M - eye.position
+    normals = eye.planes[:, None, :3]
+    with np.errstate(invalid="ignore"):  # a tile without ground
+        farthest = np.maximum(normals * low, normals * high).sum(axis=2)
+    return (farthest + eye.planes[:, 3:] >= 0).all(axis=0)
 
 
 def _group(groups: Groups, kind: Kind, found: np.ndarray, eye: Eye, far: float) -> None:

@@ -65,7 +65,7 @@ def test_every_kind_stands_somewhere_and_is_where_it_says(placed):
 
 
 def test_the_same_level_gives_the_same_bytes_and_another_seed_others(placed):
-    level, found = placed
+    found = placed[1]
     assert everything(coast()) == {name: rows.tobytes() for name, rows in found.items()}
     other = coast()
     other.set("level.seed", 8)

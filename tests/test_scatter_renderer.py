@@ -130,7 +130,7 @@ def above(height=24.0, at=(128.0, 128.0), ground=4.0) -> Camera:
 @pytest.mark.parametrize(("azimuth", "way"), [(180.0, (0, 1)), (270.0, (1, 0)), (45.0, (-0.70711, -0.70711))])
 @pytest.mark.parametrize("elevation", [45.0, 30.0])
 def test_a_shadow_is_as_long_as_the_sun_makes_it(draw, monkeypatch, azimuth, way, elevation):
-    """L03: on flat ground the tip lies where the ray over the mesh's edge comes down, within a texel and its softness."""
+    """L03: on flat ground the tip lies where the ray over the mesh comes down, within a texel and its softness."""
     level = one_rock(monkeypatch)
     level.set("light.sun_azimuth_deg", azimuth)
     level.set("light.sun_elevation_deg", elevation)
@@ -158,7 +158,7 @@ def test_a_lit_face_is_not_in_its_own_shadow(draw, monkeypatch):
     )
     sun = np.array([0, -np.cos(np.radians(50)), np.sin(np.radians(50))])
     facing = (normal @ sun > 0.6) & (position[..., 2] > 4.3)
-    assert facing.sum() > 500
+    assert facing.sum() > 300
     assert lit[..., 0][facing].mean() > 0.98
 
 

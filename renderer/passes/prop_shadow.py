@@ -1,7 +1,8 @@
 """Shadow map of scattered things (L03): how high above a place the highest of them stands on the way to the sun.
 
 The world is slid along the sun's rays onto a level plane, so a texel is a piece of ground whatever the sun's height,
-and the map's grid is fixed to the world. The square moves in large steps: while the camera stays near, it is kept.
+and the map's grid is fixed to the world. Two squares lie side by side in one texture: a small one before the camera,
+a large one round it. They move in large steps: while the camera stays near, they are kept.
 """
 
 from __future__ import annotations
@@ -16,28 +17,31 @@ from ..frame import Frame
 from ..scatter import Batch, Eye, gather
 from .scatter import held
 
-SMALLEST_M = 64.0  # side of the square; twice that, and twice again, for cameras farther off
+SMALLEST_M = 64.0  # side of the large square; twice that, and twice again, for cameras farther off
 LARGEST_M = 512.0
-STEPS = 16  # parts of its side by which the square moves
+NEAR = 0.25  # side of the small square, in large ones
+STEPS = 16  # parts of its side by which a square moves
 MOST_SLANT = 12.0  # run over rise of the sun's rays; a lower sun throws no longer shadows
 NIGHT = 0.01  # below this height the sun throws none
 
 
 class PropMap:
-    """A depth texture; `square` is its middle in the slid world and half its side."""
+    """A depth texture, two squares wide, and what was drawn into each."""
 
-    def __init__(self, ctx, size: int) -> None:
+    def __init__(self, frame: Frame, size: int) -> None:
+        ctx = frame.renderer.ctx
         self.size = size
-        self.texture = ctx.depth_texture((size, size))
+        self.texture = ctx.depth_texture((2 * size, size))
         self.texture.compare_func = ""
         self.texture.filter = ctx.NEAREST, ctx.NEAREST
         self.texture.repeat_x = self.texture.repeat_y = False
         self.framebuffer = ctx.framebuffer(depth_attachment=self.texture)
+        self.batches = [Batch(ctx, held(frame)["meshes"]) for _ in range(2)]
         self.range_m = 1.0
 
     def release(self) -> None:
-        self.framebuffer.release()
-        self.texture.release()
+        for thing in (*self.batches, self.framebuffer, self.texture):
+            thing.release()
 
 
 def slant(sun: np.ndarray) -> np.ndarray:
@@ -47,24 +51,24 @@ def slant(sun: np.ndarray) -> np.ndarray:
     return np.array(sun[:2], np.float64) / max(flat, 1e-6) * run
 
 
-def square(frame: Frame, way: np.ndarray) -> tuple[np.ndarray, float]:
-    """Middle (x, y, z) of the square on the ground that is looked at, and half its side."""
+def squares(frame: Frame, way: np.ndarray) -> np.ndarray:
+    """Middle x, y, z of both squares in the slid world and half their side, near and far, `(2, 4)`."""
     level, position = frame.level, frame.matrices.position
     forward = -frame.matrices.view[2]
-    under = float(ground_at(level, *position[:2]))
-    above = max(float(position[2]) - max(under, level.sea_level_m), 1.0)
-    away = above / max(-float(forward[2]), 0.12)
+    above = max(float(position[2]) - max(float(ground_at(level, *position[:2])), level.sea_level_m), 1.0)
+    away = above / max(-float(forward[2]), 0.12)  # to the ground that is looked at
     side = SMALLEST_M
     while side < 1.4 * away and side < LARGEST_M:
         side *= 2
     flat = math.hypot(float(forward[0]), float(forward[1]))
-    ahead = min(away * flat, 0.36 * side)
-    target = position[:2] + forward[:2] / max(flat, 1e-6) * ahead
-    z = level.sea_level_m
-    ground = max(float(ground_at(level, *target)), z)
-    step = side / STEPS  # whole texels for every size
-    middle = np.round((target - way * (ground - z)) / step) * step
-    return np.array([*middle, z]), side / 2
+    found = []
+    for part, most in ((NEAR, 0.36 * NEAR * side + 0.6 * above), (1.0, 0.36 * side)):
+        target = position[:2] + forward[:2] / max(flat, 1e-6) * min(away * flat, most)
+        over = max(float(ground_at(level, *target)) - level.sea_level_m, 0.0)
+        step = part * side / STEPS  # whole texels
+        middle = np.round((target - way * over) / step) * step
+        found.append((*middle, level.sea_level_m, part * side / 2))
+    return np.array(found)
 
 
 def draw(frame: Frame) -> None:
@@ -72,50 +76,57 @@ def draw(frame: Frame) -> None:
     if "map" not in kept or kept["map"].size != size:
         if "map" in kept:
             kept["map"].release()
-        kept["map"], kept["casters"] = PropMap(frame.renderer.ctx, size), kept.get("casters") or Batch(
-            frame.renderer.ctx, kept["meshes"])  # fmt: skip
-        kept["casters"].key = None
+        kept["map"] = PropMap(frame, size)
     made, sun = kept["map"], np.asarray(frame.uniforms["u_sun_direction"], np.float64)
     way = slant(sun)
-    middle, half = square(frame, way)
-    on = level.settings.scatter.on and level.settings.light.shadows and sun[2] > NIGHT
-    if on and not kept["casters"].fresh(level, *(key := (frame.tier.name, *sun, *middle, half))):
-        _render(frame, made, kept["casters"], middle, half, way, key)
-    frame.textures["u_prop_shadow"] = made.texture
-    frame.uniforms["u_prop_middle"] = (*middle, half if on else 0.0)
-    frame.uniforms["u_prop_slant"] = tuple(way)
-    frame.uniforms["u_prop_range"] = made.range_m
-    frame.uniforms["u_prop_soft"] = frame.tier.prop_shadow_size > 512
-
-
-def _render(frame: Frame, made: PropMap, batch: Batch, middle: np.ndarray, half: float, way: np.ndarray, key) -> None:
-    level, ctx = frame.level, frame.renderer.ctx
+    found = squares(frame, way)
     low, high = frame.renderer.uploader.bounds.range
-    reach = half * 1.5 + float(np.abs(way).max()) * max(high - middle[2], middle[2] - low, 0.0)
-    texel = 2 * half / made.size
-    reached = {name: reach for name, kind in SCATTER.items() if casts(kind, texel, frame)}
-    made.range_m = max(high - low, 1.0) + 8.0
+    range_m = 2.0 ** math.ceil(math.log2(max(high - low, 1.0) + 8.0))
+    on = level.settings.scatter.on and level.settings.light.shadows and sun[2] > NIGHT
+    for index, (batch, square) in enumerate(zip(made.batches, found, strict=True)):
+        key = frame.tier.name, *sun, *square, range_m
+        if on and not batch.fresh(level, *key):
+            made.range_m = range_m
+            _render(frame, made, index, square, way, key)
+    found[:, 3] *= on
+    frame.textures["u_prop_shadow"] = made.texture
+    frame.uniforms["u_prop_squares"] = found.astype(np.float32)
+    frame.uniforms["u_prop_slant"] = tuple(way)
+    frame.uniforms["u_prop_range"] = range_m
+    frame.uniforms["u_prop_soft"] = size > 512
+
+
+def _render(frame: Frame, made: PropMap, index: int, square: np.ndarray, way: np.ndarray, key: tuple) -> None:
+    level, ctx, batch = frame.level, frame.renderer.ctx, made.batches[index]
+    middle, half = square[:3], float(square[3])
+    reach = 1.5 * half + float(np.abs(way).max()) * made.range_m
+    reached = {name: reach for name, kind in SCATTER.items() if casts(kind, 2 * half / made.size, frame)}
     # a thing counts where the square, slid back to its height, holds it
-    sides = [(1, 0), (-1, 0), (0, 1), (0, -1)]
-    planes = np.array([(x, y, -(x * way[0] + y * way[1]), half) for x, y in sides])
+    planes = np.array([(x, y, -(x * way[0] + y * way[1]), half) for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1))])
+    planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
     groups = gather(level, Eye(middle, planes, 0.0), frame.tier, reached)
     frame.renderer.uploader.sent["casters"] += batch.fill(level, groups, *key)
+    place = (index * made.size, 0, made.size, made.size)
     made.framebuffer.use()
-    made.framebuffer.clear(depth=1.0)
+    made.framebuffer.viewport = place
+    made.framebuffer.clear(depth=1.0, viewport=place)
     shader = frame.shader("prop_shadow.glsl")
     for name, value in {"u_slant": tuple(way), "u_half_m": half, "u_range_m": made.range_m}.items():
         shader.program[name].value = value
-    ctx.enable(ctx.DEPTH_TEST)
 
     def turned(kind):
         # closed things by their far side, so that no lit face shades itself; blades have two
         (ctx.disable if kind.channel == "grass" else ctx.enable)(ctx.CULL_FACE)
         return shader
 
+    ctx.enable(ctx.DEPTH_TEST)
     ctx.cull_face = "front"
-    frame.stats["prop_shadow_triangles"], frame.stats["prop_shadow_instances"] = batch.draw(turned)
+    triangles, instances = batch.draw(turned)
     ctx.cull_face = "back"
     ctx.disable(ctx.DEPTH_TEST | ctx.CULL_FACE)
+    stats = frame.stats
+    stats["prop_shadow_triangles"] = stats.get("prop_shadow_triangles", 0) + triangles
+    stats["prop_shadow_instances"] = stats.get("prop_shadow_instances", 0) + instances
 
 
 def casts(kind, texel_m: float, frame: Frame) -> bool:

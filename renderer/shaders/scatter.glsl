@@ -48,6 +48,12 @@ uniform vec3 u_kind_colour;
 in vec3 v_relative, v_normal, v_local;
 in vec4 v_look;
 
+#ifdef GRASS
+const float SPECULAR = 0.015;  // blades hide each other's gloss
+#else
+const float SPECULAR = 0.04;
+#endif
+
 struct Thing { vec3 albedo; vec3 normal; float roughness; float open; };
 
 #ifdef ROCK
@@ -95,13 +101,13 @@ Thing thing_at(vec3 p, vec3 n, float pixel_m, float height, out float porous) {
     vec4 wide = noise_at(p.xy, 61.0, pixel_m);
     float dry = clamp(0.55 * v_look.x + 0.75 * (wide.g - 0.25), 0.0, 1.0);
     vec3 meadow = mix(vec3(0.062, 0.088, 0.024), vec3(0.190, 0.155, 0.070), dry);
-    vec3 marram = mix(vec3(0.110, 0.135, 0.060), vec3(0.275, 0.235, 0.125), dry);
+    vec3 marram = mix(vec3(0.108, 0.142, 0.048), vec3(0.315, 0.260, 0.120), dry);
     vec3 tint = mix(meadow, marram, u_kind_tall);
     tint *= mix(0.55, 1.15, v_look.z);
     tint = mix(tint, tint * vec3(1.25, 1.12, 0.85), v_look.z * v_look.z * 0.6);
     porous = 0.3;
     // blades lean every way: the light on a field is that on its ground
-    return Thing(tint, normalize(mix(vec3(0.0, 0.0, 1.0), n, 0.38)), 0.75, mix(0.42, 1.0, smoothstep(0.0, 0.75, v_look.z)));
+    return Thing(tint, normalize(mix(vec3(0.0, 0.0, 1.0), n, 0.38)), 0.9, mix(0.42, 1.0, smoothstep(0.0, 0.75, v_look.z)));
 }
 #endif
 
@@ -121,7 +127,7 @@ void main() {
     thing.albedo = u_kind_colour;
     mark = 1.0;
 #endif
-    write_gbuffer(Surface(thing.albedo, thing.open * v_look.y, thing.normal, thing.roughness, 0.04, LAND, mark, damp,
+    write_gbuffer(Surface(thing.albedo, thing.open * v_look.y, thing.normal, thing.roughness, SPECULAR, LAND, mark, damp,
                           vec3(0.0), eye_depth_of(v_relative), position.xy));
 }
 #endif

@@ -7,8 +7,8 @@ uniform vec2 u_extent_m;
 uniform float u_shadow_cell_m;
 uniform float u_shadow_spread;  // metres of penumbra a metre of way
 uniform bool u_light_shadows;
-uniform sampler2D u_prop_shadow;  // depth: height over the square's middle, from its highest (0) to its lowest (1)
-uniform vec4 u_prop_middle;       // middle of the square in the slid world, half its side m; 0 where there is none
+uniform sampler2D u_prop_shadow;  // depth: height over a square's middle, from its highest (0) to its lowest (1)
+uniform vec4 u_prop_squares[2];   // near and far: middle in the slid world, half the side m; 0 where there is none
 uniform vec2 u_prop_slant;        // metres towards the sun a metre up
 uniform float u_prop_range;       // height that 0 and 1 stand for, m
 uniform bool u_prop_soft;         // nine texels are weighed and not four
@@ -18,17 +18,25 @@ vec4 prop_lit(vec2 uv, float height) {
     return step((1.0 - 2.0 * textureGather(u_prop_shadow, uv)) * u_prop_range, vec4(height));
 }
 
-// 1 in the sun, 0 in the shadow of a scattered thing; softened over a texel or three, faded out at the square's border.
+// Place in a square, −1 … 1 each way.
+vec2 prop_place(vec3 position, vec4 square) {
+    vec3 p = position - square.xyz;
+    return (p.xy - u_prop_slant * p.z) / square.w;
+}
+
+// 1 in the sun, 0 in the shadow of a scattered thing; softened over a texel or three, faded out at the far border.
 float prop_visibility(vec3 position) {
-    if (u_prop_middle.w <= 0.0) return 1.0;
-    vec3 p = position - u_prop_middle.xyz;
-    vec2 at = (p.xy - u_prop_slant * p.z) / u_prop_middle.w;
-    float border = max(abs(at.x), abs(at.y));
+    if (u_prop_squares[0].w <= 0.0) return 1.0;
+    vec2 at = prop_place(position, u_prop_squares[0]);
+    bool near = max(abs(at.x), abs(at.y)) < 0.97;
+    if (!near) at = prop_place(position, u_prop_squares[1]);
+    float border = near ? 0.0 : max(abs(at.x), abs(at.y));
     if (border >= 1.0) return 1.0;
     vec2 size = vec2(textureSize(u_prop_shadow, 0));
-    vec2 texel = (at * 0.5 + 0.5) * size - 0.5;
+    vec2 texel = (at * 0.5 + 0.5) * size.y - 0.5 + vec2(near ? 0.0 : size.y, 0.0);
     vec2 low = floor(texel), f = texel - low;
-    float height = p.z + 0.015 + 0.2 * u_prop_middle.w / size.x, lit;
+    vec4 square = u_prop_squares[near ? 0 : 1];
+    float height = position.z - square.z + 0.008 + 0.3 * square.w / size.y, lit;
     if (u_prop_soft) {
         vec4 sw = prop_lit(low / size, height), se = prop_lit((low + vec2(2.0, 0.0)) / size, height);
         vec4 nw = prop_lit((low + vec2(0.0, 2.0)) / size, height), ne = prop_lit((low + 2.0) / size, height);
