@@ -99,6 +99,8 @@ VIEWS: dict[str, View] = {
         View("lace", "Lace", "Foam that the sheet left on the sand.", "vec3(on_land * s.foam)", ids="L06"),
         View("glint", "Glint", "The sun in the water's mirror, without haze.",
              "on_sea * sun_glint(s, ray * s.eye_depth)", "light", ids="L07"),
+        View("crest_light", "Crest light", "The sun that comes through the crests of waves, as a share of it.",
+             "on_sea * crest_light(sea, s, ray * s.eye_depth)", "grey", 0, 0.12, ids="L07"),
         View("under_albedo", "Under: albedo", "Albedo of what lies under the water.", "under", "colour", ids="D02"),
         View("walkable", "Walkable", "Green where the player can go, red beyond.",
              "walkable > 0.5 ? vec3(0.1, 0.7, 0.2) : vec3(0.8, 0.1, 0.1)", "direct", ids="D31"),

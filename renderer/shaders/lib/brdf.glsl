@@ -1,6 +1,8 @@
 // Surface reflection: GGX with height-correlated Smith shadowing over Lambert, and its split-sum for ambient light.
 // Sources: Walter et al. 2007; Heitz 2014; Karis, "Physically Based Shading on Mobile" (2014) for the fit.
 
+#include "lib/wind.glsl"
+
 const float PI = 3.14159265359;
 
 vec3 fresnel_schlick(vec3 f0, float cosine) {
@@ -44,9 +46,6 @@ vec3 brdf_ambient(vec3 albedo, vec3 n, vec3 v, float roughness, vec3 f0, vec3 ir
     vec3 mirror = clamp(f0 * env.x + env.y, 0.0, 1.0);
     return albedo * (1.0 - mirror) * irradiance / PI + mirror * reflected_radiance;
 }
-
-uniform vec2 u_wind_way;     // horizontal unit vector, where the wind goes to
-uniform vec2 u_wind_spread;  // share of a wind sea's mean square slope along and across the wind; sum 1
 
 // The half degree of the sun as a variance of slope: its disc seen in a mirror that needs half the angle.
 const float SUN_SLOPE2 = 0.00465 * 0.00465 / 8.0;
