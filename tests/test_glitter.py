@@ -1,4 +1,4 @@
-"""The sun's glitter: as wide as Cox & Munk (1954) measured, its energy kept between waves, ripples and roughness (L07)."""
+"""The sun's glitter: as wide as Cox & Munk (1954) measured, shared by waves, ripples and roughness (L07)."""
 
 import numpy as np
 import pytest

@@ -11,7 +11,7 @@ uniform int u_wet_waves;  // so many are remembered; what came before them count
 uniform float u_wet_dry_s, u_wet_film, u_wet_film_s, u_wet_lace, u_wet_lace_s, u_wet_splash_m;
 
 const float SOAK_S = 0.5;         // so long sand drinks before it is wet through
-const float CREEP_M = 0.045;      // so far above the sheet the grains draw water, in places
+const float CREEP_M = 0.03;      // so far above the sheet the grains draw water, in places
 const float ALWAYS_WET_M = 0.6;   // below the still sea by this much nothing ever shows
 
 struct Wet {
