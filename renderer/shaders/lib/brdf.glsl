@@ -79,3 +79,16 @@ vec3 brdf_sun_water(vec3 albedo, vec3 n, vec3 v, vec3 l, float roughness, vec3 f
     vec3 diffuse = albedo * (1.0 - clamp(f0 * env.x + env.y, 0.0, 1.0)) / PI;
     return diffuse * n_l + f * (d * smith / (4.0 * n_v)) * step(1e-5, n_l);
 }
+
+// Where water whose normal is n on average mirrors from: at a low angle one sees the slopes that lean to the eye. Their
+// mean over Gaussian slopes weighed by how they show, σ² Φ(a) / (μ Φ(a) + σ φ(a)) with a = μ / σ and μ the tangent of the
+// view's elevation; less, because the steeper ones mirror less (Fresnel; fitted to the integral, tests/test_glitter.py).
+vec3 water_mirror(vec3 n, vec3 v, float roughness) {
+    float up = clamp(dot(n, v), 1e-3, 1.0), sigma = max(roughness * roughness * 0.70711, 1e-4);
+    float mu = up / sqrt(max(1.0 - up * up, 1e-6)), a = min(mu / sigma, 9.0);
+    float below = 1.0 / (1.0 + exp(-1.702 * a)), density = 0.39894 * exp(-0.5 * a * a);
+    float lean = sigma * below / (a * below + density) * max(1.0 / (1.0 + 2.1 * sigma) - 2.8 * mu, 0.0);
+    vec3 level = v - n * up;
+    vec3 tilted = normalize(n + level * (lean / max(length(level), 1e-4)));
+    return reflect(-v, tilted);
+}
