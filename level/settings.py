@@ -73,13 +73,18 @@ class Shore(Section):
 
 
 class Water(Section):
-    """What light does in the water (Pope & Fry 1997 for pure water, plus what lives in it)."""
+    """What light does in the water: pure water (Pope & Fry 1997), plus what lives and drifts in it (L07)."""
 
     on: bool = param(True, doc="Draw the water.")
-    absorb_red: float = param(0.40, 0, 20, "1/m", "Absorption of red light.", soft=(0, 2))
-    absorb_green: float = param(0.075, 0, 20, "1/m", "Absorption of green light.", soft=(0, 1))
-    absorb_blue: float = param(0.045, 0, 20, "1/m", "Absorption of blue light.", soft=(0, 1))
-    scatter: float = param(0.055, 0, 20, "1/m", "Scattering of light by plankton and silt.", soft=(0, 0.5))
+    plankton: float = param(
+        0.2, 0, 100, "mg/m³", "Chlorophyll: 0.05 blue open sea, 1 green coast, 10 a bloom.", soft=(0, 3)
+    )
+    silt: float = param(0.4, 0, 1000, "g/m³", "Fine mineral grains: milky, paler, then brown.", soft=(0, 10))
+    absorb_red: float = param(0.0, 0, 20, "1/m", "Absorption of red light, added.", soft=(0, 1))
+    absorb_green: float = param(0.0, 0, 20, "1/m", "Absorption of green light, added.", soft=(0, 0.5))
+    absorb_blue: float = param(0.0, 0, 20, "1/m", "Absorption of blue light, added.", soft=(0, 0.5))
+    scatter: float = param(0.02, 0, 20, "1/m", "Scattering of light, added: paler, more turquoise.", soft=(0, 0.3))
+    crest_light: float = param(1.0, 0, 4, "×", "How much sun comes through the crests of waves.", soft=(0, 2))
     roughness: float = param(0.09, 0.01, 1, "", "Roughness of clean water.", soft=(0.02, 0.4))
     specular: float = param(0.02, 0, 0.2, "", "Reflectance of the water seen from straight above.")
     foam: float = param(1.0, 0, 2, "", "Amount of foam the shore waves carry.")

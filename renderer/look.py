@@ -10,6 +10,7 @@ from ..level import Settings
 from ..level.gerstner import groups
 from ..level.settings import Sea
 from ..level.sun import light_angles
+from ..level.water_optics import absorption, backscatter
 from .sky_light import sky_light
 
 DISPLAYS = ("agx", "aces", "neutral", "raw")
@@ -129,8 +130,8 @@ def look_uniforms(settings: Settings, time_s: float) -> dict[str, float | np.nda
         "u_display": DISPLAYS.index(light.display),
         "u_fog_density": fog.density if fog.on and not sky.even else 0.0,
         "u_fog_height_m": fog.height_m,
-        "u_absorb": np.array([water.absorb_red, water.absorb_green, water.absorb_blue], np.float32),
-        "u_scatter": water.scatter,
+        "u_absorb": absorption(water).astype(np.float32),
+        "u_backscatter": backscatter(water).astype(np.float32),
         "u_ground_sand_top_m": ground.sand_top_m,
         "u_ground_rock_slope": math.tan(math.radians(ground.rock_slope_deg)),
         "u_ground_grass_slope": math.tan(math.radians(ground.grass_slope_deg)),

@@ -1,4 +1,4 @@
-"""The sun's glitter: as wide as Cox & Munk (1954) measured, its energy kept between waves, ripples and roughness (L07)."""
+"""The sun's glitter: as wide as Cox & Munk (1954) measured, shared by waves, ripples and roughness (L07)."""
 
 import numpy as np
 import pytest
@@ -132,3 +132,30 @@ def test_the_picture_has_the_glint_of_its_view(renderer):
     assert glint.max() > 5 * (whole - glint).max()
     share, _ = np.polyfit(glint, whole, 1)
     assert share == pytest.approx(1, abs=0.08)  # what mirrors the sky is brighter towards the sun too
+
+
+MIRROR = """
+// at.x elevation of the view 1 … 10°, at.y mean square slope 0.01 … 0.06: where water mirrors from, as slope of its facet
+vec4 value(vec2 at) {
+    float elevation = radians(mix(1.0, 10.0, at.x)), alpha2 = mix(0.01, 0.06, at.y);
+    vec3 v = vec3(cos(elevation), 0.0, sin(elevation));
+    vec3 facet = normalize(water_mirror(vec3(0.0, 0.0, 1.0), v, sqrt(sqrt(alpha2))) + v);
+    return vec4(facet.x / facet.z, facet.y, 0.0, 1.0);
+}
+"""
+
+
+def test_rough_water_mirrors_from_the_slopes_one_sees(ctx):
+    """L07: at a low angle the mean facet leans to the eye as an integral over Gaussian slopes says."""
+    from test_light import evaluate
+
+    lean = evaluate(ctx, "brdf", MIRROR, (6, 6))
+    assert np.abs(lean[..., 1]).max() < 1e-5
+    slope = np.linspace(-1.2, 1.2, 4001)
+    for row, variance in enumerate(np.linspace(0.01, 0.06, 6) / 2):  # along the view: half of both
+        for column, elevation in enumerate(np.radians(np.linspace(1, 10, 6))):
+            cosine = np.maximum((np.sin(elevation) + slope * np.cos(elevation)) / np.sqrt(1 + slope**2), 0)
+            shown = np.exp(-(slope**2) / (2 * variance)) * cosine * np.sqrt(1 + slope**2)
+            weight = shown * (WATER_F0 + (1 - WATER_F0) * (1 - cosine) ** 5)
+            expected = (slope * weight).sum() / weight.sum()
+            assert lean[row, column, 0] == pytest.approx(expected, rel=0.3, abs=0.012)

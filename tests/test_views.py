@@ -9,6 +9,8 @@ from shorewright.renderer import SHOW_FLAGS, VIEWS, Overlays, Renderer, Ring, Sh
 pytestmark = pytest.mark.gl
 SIZE = (96, 54)
 CAMERA = Camera(id="play", x=80, y=8, z=28, yaw_deg=4, pitch_deg=-20, fov_deg=60)
+# what only shows against the sun: from the beach out to sea
+INTO_SUN = Camera(id="out", x=60, y=62, z=6, yaw_deg=235, pitch_deg=-10, fov_deg=60)
 SHALLOWS = Camera(id="near", x=60, y=30, z=3, yaw_deg=0, pitch_deg=-30)  # where refraction moves by pixels
 
 
@@ -41,11 +43,12 @@ def picture(scene, view="final", camera=CAMERA, **options):
 @pytest.mark.parametrize("name", VIEWS)
 def test_every_view_is_finite_and_not_blank(scene, name):
     """Rows D01, D02, D03, D04, D10, D11, D31, H30: each buffer and each mask is a named view."""
-    numbers = picture(scene, name, linear=True)
+    camera = INTO_SUN if name in ("glint", "crest_light") else CAMERA
+    numbers = picture(scene, name, camera, linear=True)
     assert numbers.shape == (SIZE[1], SIZE[0], 3)
     assert numbers.dtype == np.float32
     assert np.isfinite(numbers).all()
-    shown = picture(scene, name)
+    shown = picture(scene, name, camera)
     assert shown.dtype == np.uint8
     assert numbers.std(axis=(0, 1)).max() > 1e-3
     assert shown.reshape(-1, 3).std(axis=0).max() > 1.0

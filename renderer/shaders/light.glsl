@@ -31,6 +31,7 @@ void main() {
     vec3 to_eye = -normalize(relative);
     vec3 mirror = reflect(-to_eye, s.normal);
     vec3 f0 = vec3(s.specular);
+    if (s.material == SEA) mirror = water_mirror(s.normal, to_eye, s.roughness);
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
     vec3 light = s.material == SEA
         ? brdf_sun_water(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun

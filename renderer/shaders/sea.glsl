@@ -215,8 +215,10 @@ void main() {
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
     from_below *= wave_shade(normal, body);
     from_below = bubbles(from_below, foam, sun, sky);
-    from_below += water_crest_light(max(sea.height01 * sharp.x, body), normal, to_eye, u_sun_direction) * sun;
-    from_below *= (1.0 - water_fresnel(cosine, roughness)) * (1.0 - foam.cover);
+    // foam lets some of what comes through the crest on
+    vec3 crest = water_crest_light(max(sea.height01 * sharp.x, body), normal, to_eye, u_sun_direction) * sun;
+    from_below = from_below * (1.0 - foam.cover) + crest * (1.0 - 0.55 * foam.cover);
+    from_below *= 1.0 - water_fresnel(cosine, roughness) * (1.0 - foam.cover);
     roughness = mix(roughness, FOAM_ROUGHNESS, foam.cover);
     write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness,
                           u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));

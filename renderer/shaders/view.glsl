@@ -12,6 +12,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/shadow.glsl"
 #include "lib/wet.glsl"
 #include "lib/brdf.glsl"
+#include "lib/sea_material.glsl"
 uniform sampler2D hdr, under_albedo, under_eye_depth;
 #ifdef LAYER
 uniform sampler2D u_layer;
@@ -35,6 +36,10 @@ vec3 material_colour(int material) {
 vec3 sun_glint(Surface s, vec3 relative) {
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
     return brdf_sun_water(vec3(0.0), s.normal, -normalize(relative), u_sun_direction, s.roughness, vec3(s.specular)) * sun;
+}
+
+vec3 crest_light(Sea sea, Surface s, vec3 relative) {
+    return water_crest_light(max(sea.height01, wave_body(sea, 1.0)), s.normal, -normalize(relative), u_sun_direction);
 }
 
 void main() {

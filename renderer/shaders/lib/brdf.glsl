@@ -1,6 +1,8 @@
 // Surface reflection: GGX with height-correlated Smith shadowing over Lambert, and its split-sum for ambient light.
 // Sources: Walter et al. 2007; Heitz 2014; Karis, "Physically Based Shading on Mobile" (2014) for the fit.
 
+#include "lib/wind.glsl"
+
 const float PI = 3.14159265359;
 
 vec3 fresnel_schlick(vec3 f0, float cosine) {
@@ -45,9 +47,6 @@ vec3 brdf_ambient(vec3 albedo, vec3 n, vec3 v, float roughness, vec3 f0, vec3 ir
     return albedo * (1.0 - mirror) * irradiance / PI + mirror * reflected_radiance;
 }
 
-uniform vec2 u_wind_way;     // horizontal unit vector, where the wind goes to
-uniform vec2 u_wind_spread;  // share of a wind sea's mean square slope along and across the wind; sum 1
-
 // The half degree of the sun as a variance of slope: its disc seen in a mirror that needs half the angle.
 const float SUN_SLOPE2 = 0.00465 * 0.00465 / 8.0;
 
@@ -79,4 +78,17 @@ vec3 brdf_sun_water(vec3 albedo, vec3 n, vec3 v, vec3 l, float roughness, vec3 f
     vec2 env = specular_albedo(roughness, n_v);
     vec3 diffuse = albedo * (1.0 - clamp(f0 * env.x + env.y, 0.0, 1.0)) / PI;
     return diffuse * n_l + f * (d * smith / (4.0 * n_v)) * step(1e-5, n_l);
+}
+
+// Where water whose normal is n on average mirrors from: at a low angle one sees the slopes that lean to the eye. Their
+// mean over Gaussian slopes weighed by how they show, σ² Φ(a) / (μ Φ(a) + σ φ(a)) with a = μ / σ and μ the tangent of the
+// view's elevation; less, because the steeper ones mirror less (Fresnel; fitted to the integral, tests/test_glitter.py).
+vec3 water_mirror(vec3 n, vec3 v, float roughness) {
+    float up = clamp(dot(n, v), 1e-3, 1.0), sigma = max(roughness * roughness * 0.70711, 1e-4);
+    float mu = up / sqrt(max(1.0 - up * up, 1e-6)), a = min(mu / sigma, 9.0);
+    float below = 1.0 / (1.0 + exp(-1.702 * a)), density = 0.39894 * exp(-0.5 * a * a);
+    float lean = sigma * below / (a * below + density) * max(1.0 / (1.0 + 2.1 * sigma) - 2.8 * mu, 0.0);
+    vec3 level = v - n * up;
+    vec3 tilted = normalize(n + level * (lean / max(length(level), 1e-4)));
+    return reflect(-v, tilted);
 }

@@ -76,10 +76,10 @@ Foam foam_at(vec2 before, float amount, float fresh, float rim, vec2 flow, vec2 
     return Foam(cover, amount, smoothstep(0.15, 0.9, amount), saturate(relief), fresh);
 }
 
-// Reflectance of foam: fresh thick foam is nearly white, old thin foam lets the water through (Koepke 1984).
+// Reflectance of foam, 0.6 to 0.8 where it is thick: fresh foam is brighter than old (Koepke 1984).
 vec3 foam_albedo(Foam foam) {
-    float thick = mix(0.62, 0.86, smoothstep(0.25, 0.9, foam.amount));
-    return vec3(0.94, 0.97, 0.98) * mix(thick, 0.90, foam.fresh) * mix(0.70, 1.04, foam.relief);
+    float thick = mix(0.58, 0.74, smoothstep(0.25, 0.9, foam.amount));
+    return vec3(0.94, 0.97, 0.98) * mix(thick, 0.78, foam.fresh) * mix(0.84, 1.04, foam.relief);
 }
 
 const float FOAM_ROUGHNESS = 0.85;

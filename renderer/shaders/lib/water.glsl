@@ -1,13 +1,14 @@
 // Light in water: ripples, the colour of depth, the mirror of a rough sea, light through crests (L07).
 #include "lib/noise.glsl"
+#include "lib/wind.glsl"
 
 uniform sampler2D u_ripple;      // slope east, slope north, slope², height; total variance of the slope is 1
 uniform vec4 u_ripple_way[3];    // cosine, sine of the way it goes; offset in tiles, wrapped on the CPU
 uniform vec2 u_ripple_size[3];   // tile_m, share of the slope (root of the mean square)
 uniform vec3 u_ripple_gain;      // slope along and across the wind for a texture's 1; mean square of both
-uniform vec2 u_wind_way;         // horizontal unit vector, where the wind goes to
-uniform vec3 u_absorb;           // 1/m
-uniform float u_scatter;         // 1/m
+uniform vec3 u_absorb;           // 1/m, level/water_optics.py
+uniform vec3 u_backscatter;      // 1/m, the light that turns back
+uniform float u_water_crest_light;
 
 const float RIPPLE_TEXELS = 256.0;
 const float WATER_INDEX = 1.333;
@@ -49,16 +50,13 @@ float water_cosine(float cosine) {
     return sqrt(max(1.0 - sine2, 0.0));
 }
 
-// Share of light scattered back and lost on its way, by colour, 1/m: scattering leans to blue as in clear sea water.
-vec3 water_backscatter() { return u_scatter * vec3(0.16, 0.24, 0.30); }
-
-vec3 water_attenuation() { return u_absorb + water_backscatter(); }
+vec3 water_attenuation() { return u_absorb + u_backscatter; }
 
 // Light that survives `path_m` of water.
 vec3 water_transmittance(float path_m) { return exp(-water_attenuation() * max(path_m, 0.0)); }
 
 // What the water column reflects by itself when bottomless (Gordon 1975: about 0.33 b / (a + b)).
-vec3 water_deep_albedo() { return 0.33 * water_backscatter() / water_attenuation(); }
+vec3 water_deep_albedo() { return 0.33 * u_backscatter / water_attenuation(); }
 
 // Albedo of water `depth_m` deep over a bed, seen and lit at these cosines (above the surface): Lee et al. 1998, eq. 9.
 // Multiply by the irradiance on the surface; Fresnel is not in it.
@@ -69,15 +67,19 @@ vec3 water_albedo(vec3 bed_albedo, float depth_m, float view_cosine, float light
 }
 
 // Light that enters the far side of a wave and leaves it towards the eye, per unit of sun: strongest looking into the
-// sun at a raised, steep, thin face. `lift01` is the height over the still sea against the largest.
+// sun at a raised, steep, thin face; none with the sun behind. `lift01` is the height over the still sea against the
+// largest. Never more than half of what enters.
 vec3 water_crest_light(float lift01, vec3 normal, vec3 to_eye, vec3 to_sun) {
     vec2 sun = to_sun.xy / max(length(to_sun.xy), 1e-4), eye = to_eye.xy / max(length(to_eye.xy), 1e-4);
-    float into_sun = saturate(0.5 - 0.5 * dot(sun, eye));
-    float face = saturate(dot(normal.xy, eye) * 2.2 + 0.15);
+    float into_sun = saturate(-0.1 - 1.1 * dot(sun, eye));
+    // the face that looks at the eye; its back looks at the sun
+    float face = smoothstep(0.02, 0.40, dot(normal.xy, eye));
     float grazing = saturate(1.2 - to_eye.z);
-    float low_sun = saturate(1.25 - to_sun.z);
-    float thin = saturate(lift01);
-    float amount = into_sun * into_sun * face * grazing * low_sun * thin * thin;
-    vec3 colour = exp(-u_absorb * mix(4.5, 1.6, thin)) * (0.35 + 2.0 * water_backscatter() / max(u_scatter, 1e-4));
-    return colour * amount * 0.11;
+    float low_sun = saturate(1.25 - to_sun.z) * smoothstep(-0.02, 0.06, to_sun.z);
+    float thin = smoothstep(0.05, 0.9, lift01);
+    float amount = into_sun * face * grazing * low_sun * thin;
+    // from the crest to the foot the way through the wave grows from less than a metre to a few
+    vec3 through = exp(-water_attenuation() * mix(5.5, 1.8, thin));
+    // forward scattering is nearly white: plankton and silt throw most light on, bubbles the rest
+    return min(through * (0.13 * u_water_crest_light * amount), vec3(0.5));
 }

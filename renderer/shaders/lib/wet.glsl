@@ -11,7 +11,7 @@ uniform int u_wet_waves;  // so many are remembered; what came before them count
 uniform float u_wet_dry_s, u_wet_film, u_wet_film_s, u_wet_lace, u_wet_lace_s;
 
 const float SOAK_S = 0.5;         // so long sand drinks before it is wet through
-const float CREEP_M = 0.045;      // so far above the sheet the grains draw water, in places
+const float CREEP_M = 0.03;      // so far above the sheet the grains draw water, in places
 const float ALWAYS_WET_M = 0.6;   // below the still sea by this much nothing ever shows
 
 struct Wet {
@@ -22,8 +22,12 @@ struct Wet {
 
 const Wet DRY = Wet(0.0, 0.0, 0.0);
 
-// Where smoothstep(0, 1, x) is y.
-float inverse_smoothstep(float y) { return 0.5 - sin(asin(clamp(1.0 - 2.0 * y, -1.0, 1.0)) / 3.0); }
+// Where smoothstep(0, 1, x) is y, to 0.006: right in value and steepness at both ends and the middle.
+float inverse_smoothstep(float y) {
+    float u = sqrt(2.0 * clamp(min(y, 1.0 - y), 0.0, 0.5));
+    float x = u * (0.40825 + 0.09175 * u * u);
+    return y < 0.5 ? x : 1.0 - x;
+}
 
 // What one wave left at a height that is `part` of its reach, `age` intervals after it met the still water line. `down_m`
 // is the way from its furthest line seaward, `grain` noise that breaks every edge.
