@@ -94,6 +94,9 @@ def beach(level: Level, near: dict, x, y, seed: int) -> None:
     level.write("cover", MOUTH, np.stack([np.zeros_like(x), rock, 0.9 * tufts, 0.7 * wet], axis=-1))
     level.write("yielding", MOUTH, smoothstep(2, 9, inland) * smoothstep(46, 34, inland) * smoothstep(16, 21, aside))
     level.write("quiet", MOUTH, disc(x, y, 551, 438, 13, seed + 8))
+    stones = 0.8 * disc(x, y, 588, 424, 6, seed + 17) * smoothstep(1, 4, inland)
+    logs = 0.7 * smoothstep(7, 10, inland) * smoothstep(17, 13, inland) * smoothstep(14, 20, aside)
+    level.write("scatter", MOUTH, np.stack([stones, logs, 0.8 * tufts], axis=-1))
 
 
 def blots(level: Level, near: dict, x, y, seed: int) -> None:
