@@ -131,7 +131,8 @@ def test_the_picture_has_the_glint_of_its_view(renderer):
     whole, glint = (render(level, place, view=view, **shoot)[..., 1].ravel() for view in ("hdr", "glint"))
     assert glint.max() > 5 * (whole - glint).max()
     share, _ = np.polyfit(glint, whole, 1)
-    assert share == pytest.approx(1, abs=0.08)  # what mirrors the sky is brighter towards the sun too
+    # what mirrors the sky is brighter towards the sun too
+    assert share == pytest.approx(1, abs=0.08)
 
 
 MIRROR = """

@@ -8,7 +8,7 @@
 
 uniform float u_shore_interval_s;
 uniform int u_wet_waves;  // so many are remembered; what came before them counts as a mean
-uniform float u_wet_dry_s, u_wet_film, u_wet_film_s, u_wet_lace, u_wet_lace_s, u_wet_splash_m;
+uniform float u_wet_dry_s, u_wet_film, u_wet_film_s, u_wet_lace, u_wet_lace_s;
 
 const float SOAK_S = 0.5;         // so long sand drinks before it is wet through
 const float CREEP_M = 0.03;      // so far above the sheet the grains draw water, in places
@@ -84,10 +84,4 @@ Foam shore_lace(Wet wet, vec2 xy, float pixel_m) {
     float cover = foam_cover(fields, amount, lod) * (0.80 + 0.20 * mix(0.4, fields.a, close));
     float relief = cover * mix(0.6, 0.4 + 0.5 * cells.g + 0.3 * (cells.a - 0.35), close);
     return Foam(cover, amount, 0.0, saturate(relief), 0.25);
-}
-
-// 1 where splash keeps rock dark, 0 from splash_m over the run-up; `ragged` about −0.7 … 0.7 breaks the line.
-float splash_band(float height, float ragged) {
-    float over = height - u_shore_range_m * u_shore_runup;
-    return 1.0 - smoothstep(0.2, 1.3, over / max(u_wet_splash_m, 1e-3) + 1.3 * ragged);
 }
