@@ -136,7 +136,7 @@ def test_the_picture_has_the_glint_of_its_view(renderer):
 
 
 MIRROR = """
-// at.x elevation of the view 1 … 10°, at.y mean square slope 0.01 … 0.06: where water mirrors from, as slope of its facet
+// at.x elevation of the view 1 … 10°, at.y mean square slope 0.01 … 0.06: slope of the facet that water mirrors from
 vec4 value(vec2 at) {
     float elevation = radians(mix(1.0, 10.0, at.x)), alpha2 = mix(0.01, 0.06, at.y);
     vec3 v = vec3(cos(elevation), 0.0, sin(elevation));
