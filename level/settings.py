@@ -142,7 +142,7 @@ class Wet(Section):
 
     dry_s: float = param(45.0, 1, 3600, "s", "Time in which sand that the sheet left dries to a third.", soft=(5, 120))
     film: float = param(1.0, 0, 1, "", "How clearly the film behind the sheet mirrors the sky.")
-    film_s: float = param(3.0, 0.1, 60, "s", "Time in which that film sinks into the sand.", soft=(0.5, 10))
+    film_s: float = param(4.0, 0.1, 60, "s", "Time in which that film sinks into the sand.", soft=(0.5, 10))
     lace: float = param(1.0, 0, 2, "", "Foam that the sheet leaves as lace at the line of its run-up.", soft=(0, 1.5))
     lace_s: float = param(6.0, 0.1, 60, "s", "Time in which that lace tears and is gone.", soft=(1, 20))
     splash_m: float = param(1.2, 0, 30, "m", "Height over the run-up that splash keeps rock dark.", soft=(0, 5))

@@ -131,11 +131,12 @@ def test_the_picture_has_the_glint_of_its_view(renderer):
     whole, glint = (render(level, place, view=view, **shoot)[..., 1].ravel() for view in ("hdr", "glint"))
     assert glint.max() > 5 * (whole - glint).max()
     share, _ = np.polyfit(glint, whole, 1)
-    assert share == pytest.approx(1, abs=0.08)  # what mirrors the sky is brighter towards the sun too
+    # what mirrors the sky is brighter towards the sun too
+    assert share == pytest.approx(1, abs=0.08)
 
 
 MIRROR = """
-// at.x elevation of the view 1 … 10°, at.y mean square slope 0.01 … 0.06: where water mirrors from, as slope of its facet
+// at.x elevation of the view 1 … 10°, at.y mean square slope 0.01 … 0.06: slope of the facet that water mirrors from
 vec4 value(vec2 at) {
     float elevation = radians(mix(1.0, 10.0, at.x)), alpha2 = mix(0.01, 0.06, at.y);
     vec3 v = vec3(cos(elevation), 0.0, sin(elevation));

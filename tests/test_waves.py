@@ -79,6 +79,29 @@ def test_water_runs_up_and_back_by_the_set_run_up():
     assert min(apart, 1 - apart) <= 0.1
 
 
+def test_single_waves_reach_differently_far_and_without_a_jump():
+    """D10 L06: every wave turns at or below the run-up limit, where its own noise says, and time has no seam."""
+    level = make_beach(rows=257, slope=0.05)
+    level.set("shore.runup_variety", 0.6)
+    shore = level.settings.shore
+    y = np.full(400, 128.0 + 0.3 * shore.range_m * shore.runup / 0.05)
+    x = np.linspace(5, 155, 400)
+    limit = 1 + shore.runup
+    reached = []
+    for k in range(6):
+        times = (k + np.linspace(0, 1, 60)) * shore.interval_s
+        reached.append(np.max([sea_at(level, t, x, y).shore.edge_s for t in times], axis=0))
+    reached = np.array(reached)
+    assert reached.max() <= limit + 1e-9
+    assert reached.min() >= 1 + 0.39 * shore.runup - 1e-9
+    assert np.ptp(reached, axis=0).max() > 0.2 * shore.runup  # one place, several waves
+    assert np.ptp(reached, axis=1).max() > 0.2 * shore.runup  # one wave, several places
+    arrival = shore.count / limit * shore.interval_s
+    for t in arrival + shore.interval_s * np.arange(7):
+        before, after = (sea_at(level, t + step, x, y).shore.edge_s for step in (-1e-4, 1e-4))
+        assert np.abs(after - before).max() < 1e-4
+
+
 def test_without_vertex_animation_the_edge_stands_still_while_masks_travel():
     """D10: the switch holds the surface, not the clock."""
     level = make_beach(rows=257, slope=0.05)
@@ -164,6 +187,7 @@ def test_normals_come_from_the_same_function_as_positions(make):
     """H29: analytic normals within 0.5° of float64 differences, through the group-by-group deformation."""
     level = make()
     level.set("shore.stagger", 0.5)
+    level.set("shore.runup_variety", 0.5)
     at = np.random.default_rng(1).uniform(5, 115, (2, 3000))
     h = 1e-4
 
@@ -247,6 +271,7 @@ def test_shader_and_twin_agree_within_a_millimetre(ctx, t):
     """D30: 10,000 random points through transform feedback, at t = 0 and after a week."""
     level = make_beach(rows=513, cols=769, cell_m=2.0, slope=0.03, rough_m=0.15)
     level.set("shore.stagger", 0.4)
+    level.set("shore.runup_variety", 0.7)
     at = np.random.default_rng(9).uniform(-0.05, 1.05, (10_000, 2)) * np.array(level.grid.extent_m)
     at = at.astype(np.float32)
     got = feedback(ctx, level, t, at)
@@ -281,6 +306,7 @@ def feedback(ctx, level, t, at):
     target.use()
     array.transform(out, ctx.POINTS, vertices=len(at))
     result = np.frombuffer(out.read(), np.float32).reshape(-1, 8)
+    ctx.detect_framebuffer(0).use()  # a framebuffer that is gone must not stay bound
     for thing in (array, target, out, points, bed, variety, program):
         thing.release()
     return result

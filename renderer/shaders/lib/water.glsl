@@ -81,5 +81,5 @@ vec3 water_crest_light(float lift01, vec3 normal, vec3 to_eye, vec3 to_sun) {
     // from the crest to the foot the way through the wave grows from less than a metre to a few
     vec3 through = exp(-water_attenuation() * mix(5.5, 1.8, thin));
     // forward scattering is nearly white: plankton and silt throw most light on, bubbles the rest
-    return min(through * (0.13 * u_water_crest_light * amount), vec3(0.5));
+    return min(through * (0.10 * u_water_crest_light * amount), vec3(0.5));
 }
