@@ -6,9 +6,25 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..level import BadInput
+from ..level.water_optics import PURE_ABSORPTION
 
-VERSION = 1
-MIGRATIONS: dict[int, Callable[[dict], dict]] = {}  # MIGRATIONS[n] turns version n into n + 1
+VERSION = 2
+
+
+def _added_absorption(raw: dict) -> dict:
+    """1 to 2: `water.absorb_…` were totals, now they are added to what pure water takes; the water keeps its colour."""
+    settings = raw.get("settings")
+    water = settings.get("water") if isinstance(settings, dict) else None
+    if not isinstance(water, dict):
+        return raw
+    water = {**water, "plankton": 0.0, "silt": 0.0}
+    for name, pure in zip(("absorb_red", "absorb_green", "absorb_blue"), PURE_ABSORPTION.tolist()):
+        if isinstance(water.get(name), int | float):
+            water[name] = max(water[name] - pure, 0.0)
+    return {**raw, "settings": {**settings, "water": water}}
+
+
+MIGRATIONS: dict[int, Callable[[dict], dict]] = {1: _added_absorption}  # MIGRATIONS[n] turns version n into n + 1
 
 
 def migrate(raw: dict, path: Path) -> dict:

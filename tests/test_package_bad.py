@@ -187,6 +187,19 @@ def test_saving_does_not_follow_links_out(path):
     assert {f.name: f.read_bytes() for f in (path.parent / "outside").iterdir()} == outside
 
 
+def test_older_water_keeps_its_colour(path):
+    """Version 1 had absorption as totals; read again, pure water and what is added give the same totals (L07)."""
+    from shorewright.level.water_optics import absorption
+
+    raw = json.loads((path / "level.json").read_text())
+    raw["shorewright_level"] = 1
+    raw["settings"]["water"] = {"absorb_red": 0.40, "absorb_green": 0.075, "absorb_blue": 0.045, "scatter": 0.055}
+    (path / "level.json").write_text(json.dumps(raw))
+    water = read_level(path).settings.water
+    assert absorption(water) == pytest.approx([0.40, 0.075, 0.045])
+    assert water.scatter == 0.055
+
+
 def test_migrations_run_in_turn(path, monkeypatch):
     """An older version is brought forward one step at a time before it is checked."""
     from shorewright.io import level_json, migrate
@@ -195,9 +208,9 @@ def test_migrations_run_in_turn(path, monkeypatch):
         raw["objects"] = raw.pop("things")
         return raw
 
-    monkeypatch.setattr(migrate, "VERSION", 3)
-    monkeypatch.setattr(level_json, "VERSION", 3)
-    monkeypatch.setattr(migrate, "MIGRATIONS", {1: rename, 2: lambda raw: raw | {"georeference": {"crs": "new"}}})
+    monkeypatch.setattr(migrate, "VERSION", 4)
+    monkeypatch.setattr(level_json, "VERSION", 4)
+    monkeypatch.setattr(migrate, "MIGRATIONS", {2: rename, 3: lambda raw: raw | {"georeference": {"crs": "new"}}})
     values = json.loads((path / "level.json").read_text())
     values["things"] = values.pop("objects")
     (path / "level.json").write_text(json.dumps(values))
@@ -205,4 +218,4 @@ def test_migrations_run_in_turn(path, monkeypatch):
     assert list(level.objects) == ["play"]
     assert level.georeference == {"crs": "new"}
     write_level(level, path)
-    assert json.loads((path / "level.json").read_text())["shorewright_level"] == 3
+    assert json.loads((path / "level.json").read_text())["shorewright_level"] == 4
