@@ -16,8 +16,10 @@ out vec4 out_radiance;
 uniform float u_light_bounce;
 #ifdef WHITE
 const vec3 LAND_BOUNCE = vec3(1.0);  // the furnace: everything gives back all light
+vec3 coast_radiance() { return vec3(1.0); }
 #else
 const vec3 LAND_BOUNCE = vec3(0.17, 0.155, 0.13);  // albedo of land, half of it in the sun
+vec3 coast_radiance() { return (sky_irradiance(vec3(0.0, 0.0, 1.0)) + 0.35 * sun_radiance()) * 0.045; }
 #endif
 
 void main() {
@@ -44,7 +46,7 @@ void main() {
     if (s.roughness < (s.material == SEA ? 0.6 : 0.15)) {
         // the coast in the water and in the film on the sand, as bright as land of a middling albedo
         float coast = land_in_mirror(u_camera + relative, normalize(vec3(mirror.xy, max(mirror.z, 0.02))));
-        mirrored = mix(mirrored, (sky_irradiance(vec3(0.0, 0.0, 1.0)) + 0.35 * sun_radiance()) * 0.045, coast);
+        mirrored = mix(mirrored, coast_radiance(), coast);
     }
     light += brdf_ambient(s.albedo, s.normal, to_eye, s.roughness, f0, ambient, mirrored);
     out_radiance = vec4(min(light + s.emissive, MOST_RADIANCE), 1.0);
