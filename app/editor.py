@@ -14,6 +14,7 @@ from typing import Any
 
 from ..level import BadInput
 from ..level.objects import Camera
+from ..level.sun import light_angles
 from ..renderer.show import Overlays
 from .actions import ACTIONS, Action
 from .camera_control import between
@@ -24,6 +25,7 @@ from .session import Session
 
 log = logging.getLogger(__name__)
 GLIDE_S = 0.28
+SUN_DEG_PER_PX = 0.3
 OVERLAYS = ("walkable", "outline", "centre")
 QUALITIES = ("low", "medium", "high")
 TOLD = {"undo": "Undone: {}", "redo": "Redone: {}"}
@@ -95,6 +97,16 @@ class Editor:
     def set(self, path: str, value: Any, merge: bool = False) -> None:
         """Change a level setting as panels do."""
         self.attempt(self.session.set, path, value, merge)
+
+    def turn_sun(self, dx_px: float, dy_px: float) -> None:
+        """Turn and lift the sun by a pointer's way; one step until `session.seal`."""
+        azimuth, elevation = light_angles(self.session.level.settings.light)
+        values = {
+            "light.sun_from": "angles",
+            "light.sun_azimuth_deg": (azimuth + SUN_DEG_PER_PX * dx_px) % 360,
+            "light.sun_elevation_deg": min(max(elevation - 0.6 * SUN_DEG_PER_PX * dy_px, -20.0), 90.0),
+        }
+        self.attempt(self.session.set_all, "Turn the sun", values, True)
 
     def do(self, name: str | Action) -> None:
         """Run a row of ACTIONS, unless it has nothing to do now."""

@@ -37,16 +37,17 @@ class Edits(Hand):
         with self._edit(words.Set(name=path, value=get(changed, path)), merge):
             self.journal.set(path, value, merge)
 
-    def set_all(self, label: str, values: dict[str, Any]) -> None:
-        """Change settings that belong together, by path, as one step of that label."""
+    def set_all(self, label: str, values: dict[str, Any], merge: bool = False) -> None:
+        """Change settings that belong together, by path, as one step of that label; `merge` as in `set`."""
         changed = self.level.settings
         for path, value in values.items():
             changed = replace(changed, path, value)
         if changed == self.level.settings:
             return
         self._end_stroke()
-        with self._edit(words.SetAll(label=label, values={path: get(changed, path) for path in values})):
-            self.journal.set_settings(label, changed)
+        word = words.SetAll(label=label, values={path: get(changed, path) for path in values})
+        with self._edit(word, merge):
+            self.journal.set_settings(label, changed, label if merge else "")
 
     def seal(self) -> None:
         """The slider was let go: its next change is a step of its own."""

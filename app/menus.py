@@ -13,6 +13,7 @@ ORDER = ("File", "Edit", "Brush", "Light", "Time", "View")
 RULED = {"import", "quit", "abort", "frame", "next_view", "brush.raise"}  # a line above these
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),
+    ("L + left", "turn and lift the sun"),
     ("Alt + left, or middle", "orbit about what is under the pointer"),
     ("Shift + middle, Alt + middle", "pan"),
     ("Wheel, Alt + right", "zoom to the pointer"),

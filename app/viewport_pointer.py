@@ -1,8 +1,8 @@
 """The pointer in the viewport: strokes with the left button, camera with the others.
 
-Left: brush (Ctrl inverts, Shift smooths). Alt+left or middle: orbit. Shift+middle or Alt+middle: pan. Alt+right: dolly.
-Right held: look round and fly with W A S D Q E, Shift faster; the wheel then sets the speed, else it zooms to the
-pointer.
+Left: brush (Ctrl inverts, Shift smooths). L+left: the sun. Alt+left or middle: orbit. Shift+middle or Alt+middle: pan.
+Alt+right: dolly. Right held: look round and fly with W A S D Q E, Shift faster; the wheel then sets the speed, else it
+zooms to the pointer.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ FASTER = 4.0
 
 
 class Pointer:
-    """What the pressed buttons mean until released; `mode` is "", stroke, orbit, pan, dolly, fly or dead."""
+    """What the pressed buttons mean until released; `mode` is "", stroke, sun, orbit, pan, dolly, fly or dead."""
 
     def __init__(self, editor: Editor) -> None:
         self.editor = editor
@@ -58,7 +58,7 @@ class Pointer:
         self.button = pressed[0]
         alt = io.key_alt
         if self.button == LEFT:
-            self.mode = "orbit" if alt else "stroke"
+            self.mode = "sun" if imgui.is_key_down(imgui.Key.l) else "orbit" if alt else "stroke"
         elif self.button == MIDDLE:
             self.mode = "pan" if io.key_shift or alt else "orbit"
         else:
@@ -72,6 +72,8 @@ class Pointer:
     def _release(self) -> None:
         if self.mode == "stroke":
             self.editor.attempt(self.editor.session.stroke_end)
+        elif self.mode == "sun":
+            self.editor.session.seal()
         self.mode = ""
 
     # Strokes
@@ -104,6 +106,10 @@ class Pointer:
             self._move_stroke()
             return
         delta = io.mouse_delta
+        if self.mode == "sun":
+            if delta.x or delta.y:
+                self.editor.turn_sun(delta.x, delta.y)
+            return
         camera, level = self.editor.session.camera, self.editor.session.level
         if self.mode == "fly":
             camera = self._fly(io, camera, delta)

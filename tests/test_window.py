@@ -146,6 +146,9 @@ def test_environments_by_button_and_menu(drive):
     assert found["steps_then"] == 2
     assert found["picture"] == ""
     assert found["undone"]
+    assert found["sun"][0] > found["sun_before"]
+    assert found["sun"][1] > found["sun_lower"]
+    assert found["sun_steps"] == ["Turn the sun"]
     assert found["samples"] == 16  # L04: a picture that stands still gathers samples
 
 

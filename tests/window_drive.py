@@ -203,6 +203,12 @@ def light(hands: Hands) -> None:
     hands.key(CTRL, imgui.Key.z)
     hands.key(CTRL, imgui.Key.z)
     hands.note(undone=session.level.settings == before)
+    ctx.key_down(int(imgui.Key.l))
+    hands.drag((0.5, 0.5), (0.6, 0.4), (0.65, 0.35))
+    ctx.key_up(int(imgui.Key.l))
+    turned = session.level.settings.light
+    hands.note(sun=[turned.sun_azimuth_deg, turned.sun_elevation_deg], sun_before=before.light.sun_azimuth_deg)
+    hands.note(sun_lower=before.light.sun_elevation_deg, sun_steps=[s.label for s in session.journal.done])
     picture_module.LONGEST_SAMPLE_S, picture_module.SETTLE_S = 1e9, 0.01  # as on a computer with a graphics card
     hands.settle()
     hands.note(samples=hands.window.picture.drawn.samples)
