@@ -1,5 +1,9 @@
 // The land into the G-buffer: the height texture on the morphing mesh, ground materials by rule and paint (L05).
-// RELIEF: near the camera cells are finer than the level's; heights between samples and the materials' relief fill them.
+// RELIEF: the chunks near the camera, whose cells are finer than the level's: a smooth surface through the samples and the
+// materials' relief fill them.
+#ifdef VERTEX
+invariant gl_Position;  // chunks of either kind meet in the same points
+#endif
 #include "lib/frame.glsl"
 #include "lib/openness.glsl"
 #include "lib/ground.glsl"
@@ -21,7 +25,8 @@ Site terrain_site(vec2 xy, vec3 normal, float height, vec2 torn, float pixel_m) 
 #include "lib/relief.glsl"
 float vertex_height(ivec2 cell) { return relief_height(cell); }
 #else
-float vertex_height(ivec2 cell) { return height_texel(cell); }
+uniform int u_relief_fine;
+float vertex_height(ivec2 cell) { return height_texel(cell >> u_relief_fine); }
 #endif
 out vec3 v_relative;
 

@@ -34,7 +34,11 @@ Patch patch_at(float place) {
 }
 
 // Patches some ten metres wide for the materials, and broad ones for the noise that tints them.
+#ifdef GROUND_CHEAP
+Patch small_patch(vec2 xy, float pixel_m) { return Patch(vec2(0.0), vec2(0.0), 0.0); }
+#else
 Patch small_patch(vec2 xy, float pixel_m) { return patch_at(11.0 * noise_at(turn(xy, 0.25, 0.968), 307.0, pixel_m).r); }
+#endif
 Patch wide_patch(vec2 xy, float pixel_m) { return patch_at(9.0 * noise_at(turn(xy, -0.66, 0.751), 877.0, pixel_m).r); }
 
 // Noise without a period: two shifts of it, blended so that its contrast stays (Heitz & Neyret 2018).
