@@ -30,7 +30,8 @@ class Tier:
     sea_exact: bool  # the drawn surface is found along each pixel's ray: the twin's within 3 cm, not the mesh's
     mips_blended: bool  # detail textures blend between two mip levels, which in software costs a second fetch
     ground_texels: int  # samples a side of the ground's textures; all have one pattern
-    ground_cheap: bool  # two materials a pixel at one scale
+    ground_cheap: bool  # materials at one scale, on one plane
+    ground_layers: int  # of the materials at a pixel the heaviest that many are sampled
     ground_levels: int  # levels of the terrain mesh finer than the level's cells
     openness_size: int  # samples a side of the map of the open sky
     openness_ways: int  # horizons a sample
@@ -39,9 +40,9 @@ class Tier:
 TIERS: dict[str, Tier] = {
     tier.name: tier
     for tier in (
-        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 0.5, False, False, 256, True, 0, 512, 8),
-        Tier("medium", 7.5, 8, 0.5, 8.0, 16, 2500.0, 1024, 1.0, True, True, 512, False, 3, 1024, 12),
-        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 1.0, True, True, 1024, False, 3, 2048, 16),
+        Tier("low", 5.0, 8, 1.0, 5.0, 16, 1500.0, 512, 0.5, False, False, 256, True, 2, 0, 512, 8),
+        Tier("medium", 8.0, 8, 0.5, 8.0, 16, 2500.0, 1024, 1.0, True, True, 512, False, 2, 3, 1024, 12),
+        Tier("high", 14.0, 8, 0.25, 14.0, 16, 4000.0, 2048, 1.0, True, True, 1024, False, 3, 3, 2048, 16),
     )
 }
 

@@ -14,7 +14,7 @@ from ..frame import Frame
 from ..mesh import MORPH, ChunkMesh, Lod, View, mesh_uniforms, select
 from ..quality import APRON_DEPTH_M, APRON_M, Tier
 
-NEAR_REACH = 5.0  # chunks: how far levels finer than the level's cells reach
+NEAR_REACH = 4.0  # chunks: how far levels finer than the level's cells reach
 OVERSHOOT = 0.3  # share of its samples' range by which a cubic may leave it
 
 
@@ -101,4 +101,4 @@ def _defines(frame: Frame, relief: bool) -> dict[str, str]:
         "RELIEF": relief,
         "SHOW_GROUND": frame.view.name == "ground",
     }
-    return {name: "" for name, on in wanted.items() if on}
+    return {name: "" for name, on in wanted.items() if on} | {"MOST_LAYERS": str(frame.tier.ground_layers)}
