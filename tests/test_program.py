@@ -10,7 +10,8 @@ from shorewright.renderer.views import VIEWS
 
 VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": ""}),
             "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "openness.glsl": ({"WAYS": "8", "STEPS": "11"},),
-            "terrain.glsl": ({"GROUND_CHEAP": ""}, {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": "", "MOST_LAYERS": "3"}),
+            "terrain.glsl": ({"GROUND_CHEAP": ""},
+                             {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": "", "MOST_LAYERS": "3"}),
             "overlay.glsl": ({}, {"WALKABLE": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)

@@ -9,7 +9,7 @@ uniform vec4 u_ground_layers[8];         // tile_m, amplitude_m, steepest (heigh
 
 const int SAND = 0, SHINGLE = 1, STRATA = 2, REEF = 3, GRASS = 4, DUNE = 5, FLOOR = 6, WEED = 7, LAYERS = 8;
 // how much of the layer's second, larger scale is added; how many tiles of the first one it is long
-const float FAR[8] = float[8](0.22, 0.3, 0.55, 0.6, 0.5, 0.0, 0.3, 0.4);
+const float FAR[8] = float[8](0.22, 0.3, 0.40, 0.6, 0.5, 0.0, 0.3, 0.4);
 const float FAR_TILES = 6.3;
 const float STRANDS_LOD = 2.5;  // blades of the larger scale would be ropes: only their clumps are used
 
@@ -80,8 +80,8 @@ Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile, vec2
     vec3 lean = slope.x * u_one + slope.y * v;
 #else
     float share = upright ? 1.0 - smoothstep(0.25, 0.75, east) : tile.share;
-    vec3 at_one = vec3(one / row.x + tile.one, float(layer));
-    vec3 at_other = vec3(other / row.x + (upright ? tile.one : tile.other), float(layer));
+    vec3 at_one = vec3(one / row.x + (upright ? vec2(0.0) : tile.one), float(layer));
+    vec3 at_other = vec3(other / row.x + (upright ? vec2(0.37, 0.0) : tile.other), float(layer));
     vec4 here = textureLod(u_ground_shape, at_one, lod), there = textureLod(u_ground_shape, at_other, lod);
     vec4 colour = mix(textureLod(u_ground_colour, at_one, lod), textureLod(u_ground_colour, at_other, lod), share);
     vec4 shape = mix(here, there, share);
@@ -92,14 +92,14 @@ Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile, vec2
     // the larger scale: height and slope only
     float far_m = row.x * FAR_TILES, far_lod = ground_lod(far_m, pixel_m);
     if (layer >= GRASS && layer != FLOOR) far_lod = max(far_lod, STRANDS_LOD);
-    vec2 way = upright ? mix(one, other, step(0.5, share)) : turn(p.xy, -0.59, 0.807);
-    vec4 far = textureLod(u_ground_shape, vec3((way + bent_m) / far_m, float(layer)), far_lod);
+    vec2 way = upright ? mix(one, other, step(0.5, share)) : turn(p.xy, -0.59, 0.807) + bent_m;
+    vec4 far = textureLod(u_ground_shape, vec3(way / far_m, float(layer)), far_lod);
     far.xy = far.xy * 2.0 - 1.0;
     if (!upright) far.xy = turn(far.xy, 0.59, 0.807);
     lean += FAR[layer] * (far.x * mix(u_one, u_other, share) + far.y * v);
     shape.z = clamp(shape.z + FAR[layer] * (far.z - 0.5), 0.0, 1.0);
 #endif
     float steepest = row.z * row.y / row.x;
-    vec3 albedo = linear_colour(colour.rgb) * (1.0 + (upright ? 0.9 : FAR[layer]) * (shape.z - 0.5));
+    vec3 albedo = linear_colour(colour.rgb) * (1.0 + (upright ? 0.7 : FAR[layer]) * (shape.z - 0.5));
     return Sample(lean * steepest, shape.z, shape.w, albedo, max(colour.a - dot(slope, slope), 0.0) * steepest * steepest);
 }
