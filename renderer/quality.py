@@ -33,7 +33,8 @@ class Tier:
     sea_exact: bool  # the drawn surface is found along each pixel's ray: the twin's within 3 cm, not the mesh's
     mips_blended: bool  # detail textures blend between two mip levels, which in software costs a second fetch
     ground_texels: int  # samples a side of the ground's textures; all have one pattern
-    ground_cheap: bool  # two materials a pixel at one scale
+    ground_cheap: bool  # materials at one scale, on one plane
+    ground_layers: int  # of the materials at a pixel the heaviest that many are sampled
     ground_levels: int  # levels of the terrain mesh finer than the level's cells
     openness_size: int  # samples a side of the map of the open sky
     openness_ways: int  # horizons a sample
@@ -45,7 +46,7 @@ def _columns(**rows: tuple) -> tuple[dict, ...]:
 
 
 _LAND = _columns(
-    terrain_reach=(5.0, 7.5, 14.0),
+    terrain_reach=(5.0, 8.0, 14.0),
     terrain_chunk=(8, 8, 8),
     ground_levels=(0, 3, 3),
     scatter_share=(0.5, 0.8, 1.0),
@@ -68,6 +69,7 @@ _GROUND = _columns(
     mips_blended=(False, True, True),
     ground_texels=(256, 512, 1024),
     ground_cheap=(True, False, False),
+    ground_layers=(2, 2, 3),
 )
 
 TIERS: dict[str, Tier] = {

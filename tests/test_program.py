@@ -10,7 +10,8 @@ from shorewright.renderer.views import VIEWS
 
 VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": ""}),
             "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "openness.glsl": ({"WAYS": "8", "STEPS": "11"},),
-            "terrain.glsl": ({"GROUND_CHEAP": ""}, {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": ""}),
+            "terrain.glsl": ({"GROUND_CHEAP": ""},
+                             {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": "", "MOST_LAYERS": "3"}),
             "light.glsl": ({}, {"WHITE": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
             "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [

@@ -13,9 +13,8 @@ from ..camera import Matrices
 from ..frame import Frame
 from ..mesh import MORPH, ChunkMesh, Lod, View, mesh_uniforms, select
 from ..quality import APRON_DEPTH_M, APRON_M, Tier
-from ..uniforms import set_uniforms
 
-NEAR_REACH = 5.0  # chunks: how far levels finer than the level's cells reach
+NEAR_REACH = 4.0  # chunks: how far levels finer than the level's cells reach
 OVERSHOOT = 0.3  # share of its samples' range by which a cubic may leave it
 
 
@@ -62,7 +61,7 @@ def terrain_view(level: Level, bounds: HeightBounds, tier: Tier, matrices: Matri
 
 def relief_uniforms(lod: Lod) -> dict:
     """What lib/relief.glsl asks for: relief has sunk before the last near level gives way."""
-    end = lod.range_cells(lod.near - 1) * lod.cell_m * MORPH
+    end = lod.range_cells(max(lod.near - 1, 0)) * lod.cell_m * MORPH
     return {
         "u_relief_fine": lod.near,
         "u_relief_fade_m": (0.4 * end, end),
@@ -76,11 +75,15 @@ def draw(frame: Frame) -> None:
     frame.targets.gbuffer.clear(0.0, 0.0, 0.0, 0.0, depth=1.0)
     frame.textures["u_layer_cover"] = frame.renderer.uploader.layer(frame.level, "cover")
     lod, view, heights = terrain_view(frame.level, frame.renderer.uploader.bounds, frame.tier, frame.matrices)
-    frame.uniforms |= ground_uniforms()
-    shader = frame.shader("terrain.glsl", **_defines(frame))
-    set_uniforms(shader.program, mesh_uniforms(lod, view) | (relief_uniforms(lod) if lod.near else {}))
+    frame.uniforms |= ground_uniforms() | mesh_uniforms(lod, view) | relief_uniforms(lod)
+    chunks = select(lod, view, heights)
+    near = chunks[:, 2] < lod.near  # a program of their own: software runs all of a vertex shader for every vertex
     ctx.enable(ctx.DEPTH_TEST)
-    frame.stats["terrain_triangles"] = chunk_mesh(frame, lod.chunk).draw(shader, select(lod, view, heights))
+    frame.stats["terrain_triangles"] = 0
+    for part, relief in ((chunks[near], True), (chunks[~near], False)):
+        if len(part):
+            shader = frame.shader("terrain.glsl", **_defines(frame, relief))
+            frame.stats["terrain_triangles"] += chunk_mesh(frame, lod.chunk).draw(shader, part)
     ctx.disable(ctx.DEPTH_TEST)
 
 
@@ -91,11 +94,11 @@ def ground_uniforms() -> dict:
     return {"u_ground_layers": np.array(rows, np.float32), "u_ground_colours": np.array(colours, np.float32)}
 
 
-def _defines(frame: Frame) -> dict[str, str]:
+def _defines(frame: Frame, relief: bool) -> dict[str, str]:
     wanted = {
         "GROUND_CHEAP": frame.tier.ground_cheap,
         "SMOOTH_NEAR": not frame.tier.ground_cheap,
-        "RELIEF": frame.tier.ground_levels > 0,
+        "RELIEF": relief,
         "SHOW_GROUND": frame.view.name == "ground",
     }
-    return {name: "" for name, on in wanted.items() if on}
+    return {name: "" for name, on in wanted.items() if on} | {"MOST_LAYERS": str(frame.tier.ground_layers)}

@@ -1,5 +1,9 @@
 // The land into the G-buffer: the height texture on the morphing mesh, ground materials by rule and paint (L05).
-// RELIEF: near the camera cells are finer than the level's; heights between samples and the materials' relief fill them.
+// RELIEF: the chunks near the camera, whose cells are finer than the level's: a smooth surface through the samples and the
+// materials' relief fill them.
+#ifdef VERTEX
+invariant gl_Position;  // chunks of either kind meet in the same points
+#endif
 #include "lib/frame.glsl"
 #include "lib/openness.glsl"
 #include "lib/ground.glsl"
@@ -21,7 +25,8 @@ Site terrain_site(vec2 xy, vec3 normal, float height, vec2 torn, float pixel_m) 
 #include "lib/relief.glsl"
 float vertex_height(ivec2 cell) { return relief_height(cell); }
 #else
-float vertex_height(ivec2 cell) { return height_texel(cell); }
+uniform int u_relief_fine;
+float vertex_height(ivec2 cell) { return height_texel(cell >> u_relief_fine); }
 #endif
 out vec3 v_relative;
 
@@ -48,8 +53,7 @@ void main() {
     vec3 position = u_camera + v_relative;
     vec3 flat_normal = normalize(cross(dFdx(v_relative), dFdy(v_relative)));
     float pixel_m = pixel_metres(v_relative, flat_normal);
-    vec3 ground = ground_filtered(position.xy, pixel_m);
-    vec3 normal = ground_normal(ground.yz);
+    vec3 normal = ground_normal(slope_filtered(position.xy, pixel_m));
     vec2 torn = torn_at(position.xy, pixel_m);
     Site site = terrain_site(position.xy, normal, position.z - u_still_m, torn, pixel_m);
     Wet wet = shore_wet(position.xy, site.height, pixel_m);

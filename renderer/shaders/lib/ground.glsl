@@ -9,10 +9,8 @@ uniform float u_ground_shingle, u_ground_weed, u_ground_macro, u_ground_detail;
 uniform float u_swash_top_m;          // how high the shore waves run up
 uniform float u_wet_splash_m;         // and over it the splash on rock
 
-#ifdef GROUND_CHEAP
-const int MOST_LAYERS = 2;
-#else
-const int MOST_LAYERS = 3;
+#ifndef MOST_LAYERS
+#define MOST_LAYERS 2  // sampled at a pixel
 #endif
 const float DARK_DEPTH_M = 30.0;  // no light comes back from deeper beds
 const float LEAST = 0.04;         // a lighter layer isn't worth its fetches
@@ -43,6 +41,9 @@ Site site_at(vec2 xy, vec3 normal, float height, float rough, float open, vec4 c
     float ragged = (mid.g - 0.5) * 0.55 + (mid.b - 0.5) * 0.35 + (broad.r - 0.5) * 0.5;
     return Site(normal, height, rough, open, cover, broad, mid, wide, ragged);
 }
+
+// How far the larger scale of the materials is moved here.
+vec2 bent_at(Site s) { return 14.0 * vec2(s.broad.r, s.broad.g) - 7.0; }
 
 void lay_over(inout float weights[LAYERS], int layer, float share) {
     for (int i = 0; i < LAYERS; ++i) weights[i] *= 1.0 - share;
@@ -116,34 +117,38 @@ void heaviest(float weights[LAYERS], out ivec3 layers, out vec3 shares) {
     }
 }
 
-// Broad change of colour over many tiles, by material; its mean is about one.
-vec3 macro_tint(int layer, vec3 p, Site s, float height01, float pixel_m) {
+// Broad change of colour over many tiles, by kind of material; the mean of each is about one.
+struct Macro { vec3 sand, grass, rock; };
+
+Macro macro_at(vec3 p, Site s, float pixel_m) {
     vec4 broad = s.broad, mid = s.mid;
-    if (layer == SAND || layer == FLOOR || layer == SHINGLE) {
-        vec3 tint = mix(vec3(0.93, 0.91, 0.88), vec3(1.07, 1.08, 1.11), broad.r);
-        return tint * (1.0 + 0.18 * (broad.g - 0.5) + 0.12 * (mid.r - 0.5));
-    }
-    if (layer == GRASS || layer == DUNE) {
-        vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m), patchy = free_noise(turn(p.xy, 0.6, 0.8), 67.0, pixel_m, s.wide);
-        // dry on steep ground, green in the broad hollows
-        float dry = 0.55 * wide.g + 0.30 * broad.g + 0.22 * mid.r + 0.8 * (1.0 - s.normal.z) + 0.16 * (patchy.b - 0.5) - 0.05;
-        vec3 tint = mix(vec3(0.84, 0.94, 0.88), vec3(1.62, 1.14, 1.20), smoothstep(0.20, 0.86, dry));
-        if (layer == DUNE) tint = mix(vec3(0.96, 1.0, 0.90), tint / 1.2, 0.3);  // half of it is sand
-        // scrub in thickets
-        float field = 0.45 * patchy.r + 0.25 * patchy.b + 0.55 * (1.0 - wide.r) + 0.25 * (height01 - 0.5);
-        float scrub = smoothstep(0.74, 0.98, field) * smoothstep(2.5, 6.0, s.height);
-        return mix(tint, vec3(0.50, 0.56, 0.58), (layer == GRASS ? 0.85 : 0.3) * scrub) * (1.05 + 0.25 * (mid.g - 0.5));
-    }
-    if (layer == WEED) return vec3(1.0 + 0.5 * (mid.r - 0.5));
+    vec3 sand = mix(vec3(0.93, 0.91, 0.88), vec3(1.07, 1.08, 1.11), broad.r);
+    sand *= 1.0 + 0.18 * (broad.g - 0.5) + 0.12 * (mid.r - 0.5);
+
+    vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m), patchy = free_noise(turn(p.xy, 0.6, 0.8), 67.0, pixel_m, s.wide);
+    // dry on steep ground, green in the broad hollows
+    float dry = 0.55 * wide.g + 0.30 * broad.g + 0.22 * mid.r + 0.8 * (1.0 - s.normal.z) + 0.16 * (patchy.b - 0.5) - 0.05;
+    vec3 grass = mix(vec3(0.84, 0.94, 0.88), vec3(1.62, 1.14, 1.20), smoothstep(0.20, 0.86, dry));
+    // scrub in thickets
+    float scrub = smoothstep(0.74, 0.98, 0.45 * patchy.r + 0.25 * patchy.b + 0.55 * (1.0 - wide.r) + 0.25 * (mid.b - 0.5));
+    grass = mix(grass, vec3(0.50, 0.56, 0.58), 0.85 * scrub * smoothstep(2.5, 6.0, s.height));
+
     // beds of stone: thick bands of colour and courses, dipping and bent; the textures have the thin lines
     float bed = p.z + 0.11 * p.x - 0.07 * p.y + 3.2 * (broad.r - 0.5);
     vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
-    vec3 tint = mix(vec3(0.72, 0.72, 0.74), vec3(1.22, 1.20, 1.16), smoothstep(0.25, 0.75, band.g));
-    tint = mix(tint, vec3(1.30, 1.04, 0.80), 0.6 * smoothstep(0.62, 0.95, band.r));
-    vec4 course = textureLod(u_noise, vec2((bed + 0.35 * height01) * 0.11, 0.71), log2(max(pixel_m * 56.0, 1.0)));
+    vec3 rock = mix(vec3(0.72, 0.72, 0.74), vec3(1.22, 1.20, 1.16), smoothstep(0.25, 0.75, band.g));
+    rock = mix(rock, vec3(1.30, 1.04, 0.80), 0.6 * smoothstep(0.62, 0.95, band.r));
+    vec4 course = textureLod(u_noise, vec2((bed + 0.3 * mid.b) * 0.11, 0.71), log2(max(pixel_m * 56.0, 1.0)));
     float cliff = smoothstep(0.15, 0.5, 1.0 - s.normal.z);
-    tint *= 1.0 + cliff * (0.30 * (course.g - 0.5) - 0.40 * (1.0 - smoothstep(0.05, 0.30, course.g)));
-    return tint * (0.82 + 0.36 * broad.g);
+    rock *= 1.0 + cliff * (0.30 * (course.g - 0.5) - 0.40 * (1.0 - smoothstep(0.05, 0.30, course.g)));
+    return Macro(sand, grass * (1.05 + 0.25 * (mid.g - 0.5)), rock * (0.82 + 0.36 * broad.g));
+}
+
+vec3 macro_tint(Macro macro, int layer) {
+    if (layer == GRASS) return macro.grass;
+    if (layer == DUNE) return mix(vec3(0.96, 1.0, 0.90), macro.grass / 1.2, 0.3);  // half of it is sand
+    if (layer == STRATA || layer == REEF) return macro.rock;
+    return layer == WEED ? vec3(1.0) : macro.sand;
 }
 
 // The mean square of the slopes that a pixel can't show makes it rougher: alpha² + variance (Cox & Munk 1954; L04).
@@ -179,14 +184,15 @@ Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer)
     ground_weights(s, weights);
     heaviest(weights, layers, shares);
     Patch tile = small_patch(position.xy, pixel_m);
+    Macro macro = macro_at(position, s, pixel_m);
     Sample samples[MOST_LAYERS];
     float over[MOST_LAYERS];
     float most = 0.0;
     for (int k = 0; k < MOST_LAYERS; ++k) {
         over[k] = -9.0;
         if (shares[k] < LEAST) continue;
-        samples[k] = ground_sampled(layers[k], position, s.normal, pixel_m, tile);
-        vec3 tint = macro_tint(layers[k], position, s, samples[k].height, pixel_m);
+        samples[k] = ground_sampled(layers[k], position, s.normal, pixel_m, tile, bent_at(s));
+        vec3 tint = macro_tint(macro, layers[k]);
         if (layers[k] == SAND) samples[k].lean *= mix(0.25, 1.1, smoothstep(0.3, 0.7, 0.6 * s.mid.g + 0.4 * s.broad.b));
         samples[k].albedo *= mix(vec3(1.0), tint, u_ground_macro);
         over[k] = 1.6 * shares[k] + 0.8 * samples[k].height;  // who stands higher covers the other
