@@ -227,7 +227,7 @@ def encode(albedo: np.ndarray) -> np.ndarray:
 
 @lru_cache(maxsize=1)
 def ground_textures(size: int, seed: int = 7) -> np.ndarray:
-    """uint8 `(2, 8, size, size, 4)`: slope east, slope north, height, roughness; and sRGB albedo, slope².
+    """uint8 `(2, 8, size, size, 4)`: slope east, slope north, height, roughness; and sRGB albedo, slope² / 2.
 
     Slopes are ±`steepest` about 0.5; slope² is their sum of squares, so that a mip level's mean of it less the square
     of its mean slope is the variance that the level lost (LEAN mapping, Olano & Baker 2010; L04).
@@ -240,6 +240,6 @@ def ground_textures(size: int, seed: int = 7) -> np.ndarray:
         east = np.clip((np.roll(height, -1, 1) - np.roll(height, 1, 1)) / step, -1, 1)
         north = np.clip((np.roll(height, -1, 0) - np.roll(height, 1, 0)) / step, -1, 1)
         shape = np.stack([0.5 + 0.5 * east, 0.5 + 0.5 * north, height, roughness], -1)
-        colour = np.concatenate([encode(albedo), (east**2 + north**2)[..., None]], -1)
+        colour = np.concatenate([encode(albedo), (east**2 + north**2)[..., None] / 2], -1)
         made[:, index] = np.round(np.clip([shape, colour], 0, 1) * 255)
     return made

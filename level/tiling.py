@@ -103,7 +103,7 @@ def comb(values: np.ndarray, along_x: np.ndarray, along_y: np.ndarray, length: f
             x += way * along_x[at[0], at[1]] * length * size / steps
             y += way * along_y[at[0], at[1]] * length * size / steps
             total += map_coordinates(values, [y, x], order=1, mode="grid-wrap")
-    return total / total.std()
+    return total / max(total.std(), 1e-9)
 
 
 def smooth(low: float, high: float, x: np.ndarray) -> np.ndarray:

@@ -13,7 +13,8 @@ import numpy as np
 from ...level import Grid, Rect
 from ..frame import Frame
 
-REACH_M = 80.0
+REACH_M = 80.0  # along the longer axis
+LEAST_CELLS = 4
 STEPS = 11
 KEPT = 2  # maps of different sizes: what moves and what stands still may differ in tier
 
@@ -46,14 +47,14 @@ def draw(frame: Frame) -> None:
     frame.textures["u_openness"] = held.texture
 
 
-def steps_m(cell_m: float) -> np.ndarray:
-    """Distances at which heights are looked up: from a cell to REACH_M (or some cells), each a share farther."""
-    return np.geomspace(cell_m, max(REACH_M, 4 * cell_m), STEPS).astype(np.float32)
+def steps(cell_m: float) -> np.ndarray:
+    """Whole cells after which heights are looked up: from one to REACH_M (or a few cells), each a share farther."""
+    return np.round(np.geomspace(1, max(REACH_M / cell_m, LEAST_CELLS), STEPS)).astype(np.float32)
 
 
 def touched(size: tuple[int, int], grid: Grid, changed: Rect) -> tuple[int, int, int, int]:
     """First column, first row, columns and rows of the map that a change of these samples can reach."""
-    reach = int(np.ceil(steps_m(grid.cell_m)[-1] / grid.cell_m)) + 1
+    reach = int(steps(grid.cell_m)[-1]) + 2
     area = grid.clip(changed.pad(reach))
     scale = (np.array(size) - 1) / (np.array([grid.cols, grid.rows]) - 1)
     first = np.maximum(np.floor(np.array([area.col0, area.row0]) * scale).astype(int) - 1, 0)
@@ -78,7 +79,7 @@ def _work_out(frame: Frame, held: OpennessMap, changed: Rect) -> None:
     grid = frame.level.grid
     shader = frame.shader("openness.glsl", WAYS=str(frame.tier.openness_ways), STEPS=str(STEPS))
     shader.program["u_target"].value = tuple(float(side) for side in held.size)
-    shader.program["u_steps_m"].write(steps_m(grid.cell_m).tobytes())
+    shader.program["u_steps"].write(steps(grid.cell_m).tobytes())
     area = touched(held.size, grid, changed)
     held.framebuffer.use()
     held.framebuffer.scissor = area

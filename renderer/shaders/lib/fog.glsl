@@ -30,9 +30,18 @@ vec3 aerial_slice(vec2 place, float slice) {
     return textureLod(u_aerial, at / vec2(32.0, 256.0), 0.0).rgb;
 }
 
+// The horizon that stands for a direction below it: where the sun is as far off. Looking straight down at a low sun one
+// sees none of the bright air under it.
+vec3 over_horizon(vec3 dir) {
+    if (dir.z >= 0.0) return dir;
+    float c = clamp(dot(dir, u_sun_direction) / max(length(u_sun_direction.xy), 1e-3), -1.0, 1.0);
+    vec2 heading = sun_heading();
+    return vec3(c * heading + sqrt(1.0 - c * c) * vec2(-heading.y, heading.x), 1e-4);
+}
+
 // Light that the air adds over that many metres of it; past the last distance that of the whole sky.
 vec3 aerial_light(vec3 dir, float metres) {
-    vec2 place = sky_place(dir);
+    vec2 place = sky_place(over_horizon(dir));
     float slice = log2(max(metres, 1.0) / AERIAL_FIRST_M) / AERIAL_STEP;
     if (slice <= 0.0) return aerial_slice(place, 0.0) * (metres / AERIAL_FIRST_M);
     slice = min(slice, 15.0);
@@ -42,7 +51,7 @@ vec3 aerial_light(vec3 dir, float metres) {
 
 // At full depth this is what the sky shows at the horizon, in fog the light inside the fog.
 vec3 fog_inscatter(vec3 view_dir) {
-    vec3 sky = sky_radiance(normalize(vec3(view_dir.xy, max(view_dir.z, 0.0) + 1e-4)));
+    vec3 sky = sky_radiance(over_horizon(view_dir));
     float forward = max(dot(view_dir, u_sun_direction), 0.0);
     vec3 sun_glow = u_sun_illuminance * (0.5 * pow(forward, 5.0) + 0.8 * pow(forward, 30.0)) * 0.045;
     return mix(sky, u_fog_radiance + sun_glow, u_fog_share);

@@ -4,7 +4,7 @@
 #include "lib/noise.glsl"
 
 uniform sampler2DArray u_ground_shape;   // slope east, slope north, height, roughness
-uniform sampler2DArray u_ground_colour;  // sRGB albedo, slope²
+uniform sampler2DArray u_ground_colour;  // sRGB albedo, slope² / 2
 uniform vec4 u_ground_layers[8];         // tile_m, amplitude_m, steepest (heights a tile), relief_m
 
 const int SAND = 0, SHINGLE = 1, STRATA = 2, REEF = 3, GRASS = 4, DUNE = 5, FLOOR = 6, WEED = 7, LAYERS = 8;
@@ -101,5 +101,5 @@ Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile, vec2
 #endif
     float steepest = row.z * row.y / row.x;
     vec3 albedo = linear_colour(colour.rgb) * (1.0 + (upright ? 0.7 : FAR[layer]) * (shape.z - 0.5));
-    return Sample(lean * steepest, shape.z, shape.w, albedo, max(colour.a - dot(slope, slope), 0.0) * steepest * steepest);
+    return Sample(lean * steepest, shape.z, shape.w, albedo, max(2.0 * colour.a - dot(slope, slope), 0.0) * steepest * steepest);
 }
