@@ -5,6 +5,7 @@ MATERIALS says what each is like; `ground_textures` makes two arrays that `rende
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -232,14 +233,19 @@ def ground_textures(size: int, seed: int = 7) -> np.ndarray:
     Slopes are ±`steepest` about 0.5; slope² is their sum of squares, so that a mip level's mean of it less the square
     of its mean slope is the variance that the level lost (LEAN mapping, Olano & Baker 2010; L04).
     """
-    made = np.empty((2, len(MATERIALS), size, size, 4), np.uint8)
-    for index, row in enumerate(MATERIALS):
-        height, albedo, roughness = material(index, size, seed)
-        height = np.clip(0.5 + height / SPAN, 0, 1)
-        step = 2 * row.steepest / size
-        east = np.clip((np.roll(height, -1, 1) - np.roll(height, 1, 1)) / step, -1, 1)
-        north = np.clip((np.roll(height, -1, 0) - np.roll(height, 1, 0)) / step, -1, 1)
-        shape = np.stack([0.5 + 0.5 * east, 0.5 + 0.5 * north, height, roughness], -1)
-        colour = np.concatenate([encode(albedo), (east**2 + north**2)[..., None] / 2], -1)
-        made[:, index] = np.round(np.clip([shape, colour], 0, 1) * 255)
-    return made
+    with ThreadPoolExecutor(2) as pool:
+        layers = list(pool.map(lambda index: _packed(index, size, seed), range(len(MATERIALS))))
+    return np.stack(layers, 1)
+
+
+def _packed(index: int, size: int, seed: int) -> np.ndarray:
+    """One layer of both arrays, uint8 `(2, size, size, 4)`."""
+    steepest = MATERIALS[index].steepest
+    height, albedo, roughness = material(index, size, seed)
+    height = np.clip(0.5 + height / SPAN, 0, 1)
+    step = 2 * steepest / size
+    east = np.clip((np.roll(height, -1, 1) - np.roll(height, 1, 1)) / step, -1, 1)
+    north = np.clip((np.roll(height, -1, 0) - np.roll(height, 1, 0)) / step, -1, 1)
+    shape = np.stack([0.5 + 0.5 * east, 0.5 + 0.5 * north, height, roughness], -1)
+    colour = np.concatenate([encode(albedo), (east**2 + north**2)[..., None] / 2], -1)
+    return np.round(np.clip([shape, colour], 0, 1) * 255).astype(np.uint8)

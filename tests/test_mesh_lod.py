@@ -40,7 +40,7 @@ def slid_triangles(lod, view, chunks):
 def test_no_cracks_every_inner_edge_has_two_sides(seed):
     """A crack or a T-junction would leave an edge with one triangle."""
     rng = np.random.default_rng(seed)
-    lod = Lod(1.0, 4, (4.0, 5.3, 8.0)[seed % 3], (-20, -20, 500, 430))
+    lod = Lod(1.0, 4, (4.0, 5.3, 8.0)[seed % 3], (-20, -20, 500, 430), near=2 * (seed // 3), near_reach=4.0)
     position = np.array([*rng.uniform(-100, 600, 2), 0.0])
     view = View(position, EVERYWHERE, float(rng.choice([0.0, 5.0, 70.0])))
     edges = Counter()
@@ -68,10 +68,32 @@ def test_the_finest_cells_reach_as_far_as_promised():
     assert nearest_m[chunks[:, 2] >= 2].min() >= 128
 
 
-@pytest.mark.parametrize("chunk_reach", [(8, 3.9), (7, 8.0)])
-def test_rules_that_would_leave_cracks_are_refused(chunk_reach):
+@pytest.mark.parametrize("rule", [(8, 3.9), (7, 8.0), (8, 8.0, 2, 3.9), (8, 8.0, 2, 9.0)])
+def test_rules_that_would_leave_cracks_are_refused(rule):
+    """An odd chunk, a reach too short, near levels that reach too short or farther than the others."""
+    chunk, reach, *near = rule
     with pytest.raises(ValueError, match="cracks"):
-        Lod(1.0, *chunk_reach, (0, 0, 8, 8))
+        Lod(1.0, chunk, reach, (0, 0, 8, 8), *near)
+
+
+@pytest.mark.parametrize("place", [(128.3, 64.9), (3.0, 250.0), (-20.0, 40.0)])
+def test_bounds_of_near_chunks_hold_the_drawn_ground(place):
+    """Between samples the surface leaves their range a little, and relief adds to it: culling knows both (L05)."""
+    from shorewright.renderer.passes.terrain import OVERSHOOT, terrain_view
+
+    rng = np.random.default_rng(3)
+    level = Level(Grid(257, 257), rng.uniform(0, 6, (257, 257)).astype(np.float32))
+    matrices = camera_matrices(Camera(id="c", x=place[0], y=place[1], z=8, yaw_deg=0, pitch_deg=-30), (64, 36))
+    lod, _, heights = terrain_view(level, HeightBounds(level.height), TIERS["medium"], matrices)
+    cells = np.array([[int(place[0] / lod.cell_m) // 8 * 8, int(place[1] / lod.cell_m) // 8 * 8]])
+    col, row = cells.T
+    low, high = heights(col, row, col + 8, row + 8)
+    c, r = np.clip(np.array(place, int), 1, 254)
+    part = level.height[r - 1 : r + 3, c - 1 : c + 3]
+    assert low[0] < part[1:3, 1:3].min() - 0.05
+    assert high[0] > part[1:3, 1:3].max() + 0.05
+    assert lod.cell_m == 1.0 / 2 ** TIERS["medium"].ground_levels
+    assert high[0] - low[0] <= 6 * (1 + 2 * OVERSHOOT) + 0.2 + (60 if place[0] < 0 else 0)
 
 
 def test_culling_never_drops_a_chunk_that_a_point_of_the_picture_needs():

@@ -60,7 +60,7 @@ float shingle_share(Site s, float rise) {
     float top = max(u_swash_top_m, 0.2), h = s.height + 0.4 * s.ragged;
     float swash = smoothstep(0.30 * top, 0.80 * top, h) * (1.0 - smoothstep(1.15 * top, 1.8 * top + 0.2, h));
     swash *= patches(0.55 * s.broad.r + 0.30 * s.broad.g + 0.15 * s.mid.r, u_ground_shingle, 0.10);
-    float foot = (1.0 - smoothstep(0.74, 0.90, s.open + 0.12 * s.ragged)) * smoothstep(-0.9, 0.2, s.height)
+    float foot = (1.0 - smoothstep(0.84, 0.94, s.open + 0.14 * s.ragged)) * smoothstep(-0.9, 0.2, s.height)
         * (1.0 - smoothstep(u_ground_sand_top_m, u_ground_sand_top_m + 3.0, h)) * min(2.0 * u_ground_shingle, 1.0);
     return max(swash, foot) * (1.0 - smoothstep(0.45, 0.8, rise));
 }
@@ -198,11 +198,13 @@ Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer)
         over[k] = 1.6 * shares[k] + 0.8 * samples[k].height;  // who stands higher covers the other
         most = max(most, over[k]);
     }
+    // from afar a pixel holds many heights: there the two mix by their shares
+    float depth = 0.3 + 1.1 * smoothstep(0.03, 0.5, pixel_m);
     vec3 albedo = vec3(0.0), lean = vec3(0.0);
     float sum = 0.0, roughness = 0.0, variance = 0.0, rock = 0.0, best = 0.0;
     for (int k = 0; k < MOST_LAYERS; ++k) {
         if (shares[k] < LEAST) continue;
-        float part = max(over[k] - most + 0.3, 0.0) * smoothstep(LEAST, 3.0 * LEAST, shares[k]);
+        float part = max(over[k] - most + depth, 0.0) * smoothstep(LEAST, 3.0 * LEAST, shares[k]);
         albedo += part * samples[k].albedo;
         lean += part * samples[k].lean;
         roughness += part * samples[k].roughness;
