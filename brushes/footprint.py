@@ -132,7 +132,7 @@ class Round(Footprint):
         With rising pressure that isn't the nearest place but about the last that holds the cell in its core; taking the
         nearest one cuts a terrace a dab. A little into the fading part, pressure still gains on weight.
         """
-        rises = (link.pressure1 - link.pressure0) / link.length
+        rises = (link.pressure1 - link.pressure0) / max(link.length, 1e-6)  # a shorter way overflows float32
         mean = (link.pressure0 + link.pressure1) / 2
         past = min(abs(rises) / max(mean, 1e-6) * self.soft**2 / 6, self.soft / 3)  # where d(p · w) = 0
         np.subtract(np.float32((self.core + past) ** 2), across_2, out=more)

@@ -180,9 +180,9 @@ STONE, WOOD, GREEN = (0.62, 0.60, 0.58), (0.85, 0.55, 0.25), (0.25, 0.70, 0.25)
 SCATTER: dict[str, Kind] = {
     row.name: row
     for row in (
-        Kind("boulder", "Boulders", "rocks", 2.6, (0.32, 1.7), 2.4, boulders, anywhere, 0.40, "rock", 0.5, 0.25,
+        Kind("boulder", "Boulders", "rocks", 2.6, (0.32, 1.7), 2.4, boulders, anywhere, 0.55, "rock", 0.5, 0.25,
              False, 0.0, (1.75, 0.75), 3.2, STONE),
-        Kind("stone", "Stones", "rocks", 1.25, (0.10, 0.42), 2.2, stones, anywhere, 0.45, "rock", 0.8, 0.25,
+        Kind("stone", "Stones", "rocks", 1.25, (0.10, 0.42), 2.2, stones, anywhere, 0.60, "rock", 0.8, 0.25,
              False, 0.0, (1.7, 0.65), 0.95, (0.45, 0.50, 0.60)),
         Kind("cobble", "Cobbles", "rocks", 0.64, (0.035, 0.11), 1.6, cobbles, anywhere, 0.55, "pebble", 0.9, 0.15,
              False, 0.0, (1.6, 0.5), 0.28, (0.35, 0.38, 0.65)),

@@ -99,6 +99,7 @@ def test_shadow_of_a_rock_falls_away_from_the_sun(renderer):
     height = np.full((129, 129), 1.0, np.float32)
     height[62:67, 40:43] = 21.0
     level = Level(Grid(129, 129), height)
+    level.set("scatter.on", False)  # what lies at its foot has shadows too
     level.set("light.sun_azimuth_deg", 270.0)
     level.set("light.sun_elevation_deg", 45.0)
     place = Camera(id="c", x=64, y=64, z=150, yaw_deg=0, pitch_deg=-90, fov_deg=46)

@@ -260,3 +260,9 @@ def test_any_stroke_undoes_and_replays(name, points, size_m, falloff, mode):
     assert state(level) == before
     play_again(level, journal, stroke)
     assert state(level) == after
+
+
+def test_pressure_that_rises_over_no_way_at_all_is_finite():
+    level = rough_level()
+    play(start(level, "raise", size_m=9), [(0, 0, 0.0), (1e-45, 0, 1.0)])
+    assert np.isfinite(level.height).all()

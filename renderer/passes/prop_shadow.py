@@ -22,6 +22,7 @@ LARGEST_M = 512.0
 NEAR = 0.25  # side of the small square, in large ones
 STEPS = 16  # parts of its side by which a square moves
 MOST_SLANT = 12.0  # run over rise of the sun's rays; a lower sun throws no longer shadows
+DEEPEST_M = 6.0  # under water nothing stands deeper
 NIGHT = 0.01  # below this height the sun throws none
 
 
@@ -99,7 +100,8 @@ def draw(frame: Frame) -> None:
 def _render(frame: Frame, made: PropMap, index: int, square: np.ndarray, way: np.ndarray, key: tuple) -> None:
     level, ctx, batch = frame.level, frame.renderer.ctx, made.batches[index]
     middle, half = square[:3], float(square[3])
-    reach = 1.5 * half + float(np.abs(way).max()) * made.range_m
+    high = frame.renderer.uploader.bounds.range[1]
+    reach = 1.5 * half + float(np.hypot(*way)) * max(high - level.sea_level_m, DEEPEST_M)
     reached = {name: reach for name, kind in SCATTER.items() if casts(kind, 2 * half / made.size, frame)}
     # a thing counts where the square, slid back to its height, holds it
     planes = np.array([(x, y, -(x * way[0] + y * way[1]), half) for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1))])

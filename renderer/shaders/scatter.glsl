@@ -9,7 +9,7 @@ uniform vec2 u_wind_way;
 uniform float u_wind_bend;  // lean of a blade in a middling gust, rad
 uniform float u_kind_wind;
 out vec3 v_relative, v_normal, v_local;
-out vec4 v_look;  // tint, open, sway, phase
+out vec4 v_look;  // tint, open, sway (grass) or size in metres, phase
 
 // Sideways way of a point over the ground, in its height: mean lean, gusts that run over the field, each tuft's tremble.
 vec2 wind_lean(vec2 foot) {
@@ -33,7 +33,11 @@ void main() {
     v_relative = in_place.xyz + at;
     v_normal = axes * in_normal;
     v_local = in_position * in_look.w;
+#ifdef GRASS
     v_look = vec4(in_look.xy, in_sway, in_look.z);
+#else
+    v_look = vec4(in_look.xy, in_look.w, in_look.z);
+#endif
     gl_Position = u_view_projection * vec4(v_relative, 1.0);
 }
 #endif
@@ -44,6 +48,7 @@ void main() {
 #include "lib/wet.glsl"
 uniform float u_still_m;
 uniform float u_kind_tall;
+uniform float u_wet_splash_m;
 uniform vec3 u_kind_colour;
 in vec3 v_relative, v_normal, v_local;
 in vec4 v_look;
@@ -73,6 +78,10 @@ Thing thing_at(vec3 p, vec3 n, float pixel_m, float height, out float porous) {
     tint *= 1.0 - 0.40 * smoothstep(0.80, 0.97, grain.a);  // cracks
     float lichen = smoothstep(0.62, 0.85, 0.6 * broad.b + 0.4 * grain.g) * smoothstep(0.3, 0.8, n.z);
     tint = mix(tint, vec3(0.33, 0.32, 0.24), 0.4 * lichen * smoothstep(2.0, 5.0, height));
+    // splash keeps large ones dark, as it does the land's rock (L06); small ones lie clean on the sand
+    float reach = u_shore_range_m * u_shore_runup + u_wet_splash_m;
+    float splash = 1.0 - smoothstep(0.55 * reach, 1.2 * reach, height + 0.9 * (broad.g - 0.5) + 0.5 * (grain.g - 0.5));
+    tint *= mix(vec3(1.0), vec3(0.50, 0.51, 0.48), splash * smoothstep(0.15, 0.6, v_look.z));
     vec3 bump = vec3(grain.g - 0.5, grain.b - 0.5, grain.r - 0.5) * 0.55 + vec3(broad.g, broad.b, broad.r) * 0.5 - 0.25;
     porous = 0.9;
     return Thing(tint, normalize(n + bump), 0.84, 1.0);
