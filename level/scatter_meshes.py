@@ -234,7 +234,7 @@ def tuft(
     lean = spread * (0.25 * out + 0.75 * rng.uniform(0, 1, blades) ** 1.5)
     length = rng.uniform(0.55, 1.1, blades) * (1.05 - 0.25 * out)
     droops = droop * rng.uniform(0.25, 1.3, blades)
-    keep, wider, steps = ((blades, 1.0, 4), (blades // 2, 1.6, 2), (max(blades // 4, 5), 2.8, 1))[detail]
+    keep, wider, steps = ((blades, 1.0, 4), (blades * 2 // 5, 2.1, 2), (max(blades // 5, 5), 3.6, 1))[detail]
     parts = []
     for i in range(keep):
         bent = lean[i] + (0.4 * droops[i] if steps == 1 else 0.0)

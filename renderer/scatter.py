@@ -21,7 +21,7 @@ SPAN_M = 6.0  # how far a thing reaches past its tile
 LEAST_PX = 0.9  # smaller ones are left out
 DETAIL_PX = {
     "rock": (50, 12),
-    "grass": (75, 24),
+    "grass": (58, 22),
     "driftwood": (140, 40),
 }  # up to which a mesh is the next coarser
 FLOATS = 12  # an instance: foot xyz, scale; cos and sin of yaw, normal xy; tint, open, phase, size in metres
