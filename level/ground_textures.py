@@ -36,8 +36,8 @@ class Material:
 MATERIALS = (
     Material("sand", 3.6, 0.036, 0.020, 60.0, 0.90, (0.85, 0.72, 0.45)),
     Material("shingle", 2.3, 0.060, 0.060, 90.0, 0.75, (0.55, 0.55, 0.60)),
-    Material("strata", 8.5, 0.300, 0.120, 100.0, 0.82, (0.60, 0.30, 0.20)),
-    Material("reef", 5.7, 0.220, 0.120, 90.0, 0.80, (0.30, 0.22, 0.30)),
+    Material("strata", 6.1, 0.180, 0.120, 100.0, 0.82, (0.60, 0.30, 0.20)),
+    Material("reef", 5.7, 0.160, 0.120, 90.0, 0.80, (0.30, 0.22, 0.30)),
     Material("grass", 3.1, 0.045, 0.050, 90.0, 0.93, (0.20, 0.60, 0.15)),
     Material("dune grass", 4.3, 0.120, 0.060, 90.0, 0.92, (0.65, 0.75, 0.25)),
     Material("sea floor", 5.3, 0.075, 0.020, 40.0, 0.90, (0.30, 0.65, 0.75)),
@@ -123,17 +123,17 @@ def _strata(size: int, seed: int):
     warp = _warp(size, seed + 4, 0.010)
     blocks = cells(size, 9, 19, seed + 6, warp)
     chips = cells(size, 22, 40, seed + 7, warp)
-    rough = waves(size, seed + 8, 1.5, 6, 300)
+    rough = waves(size, seed + 8, 1.15, 5, 400)
     groove = 1 - np.minimum(smooth(0.0, 0.10, within), smooth(1.0, 0.86, within))
     line = 1 - np.minimum(smooth(0.0, 0.2, inner), smooth(1.0, 0.75, inner))
-    joint = 1 - smooth(0.0, 0.10, blocks.border + 0.03 * rough)
+    joint = (1 - smooth(0.0, 0.08, blocks.border + 0.03 * rough)) * (blocks.other > 0.38)
     crack = 1 - smooth(0.0, 0.12, chips.border)
-    height = 0.9 * hard + 0.22 * thin + 0.55 * blocks.number + 0.16 * chips.number + 0.16 * rough
-    height -= 0.75 * groove * (1 - 0.5 * hard) + 0.14 * line + 0.7 * joint * (blocks.other > 0.35) + 0.14 * crack
-    albedo = mix((0.165, 0.145, 0.12), (0.335, 0.29, 0.23), 0.25 + 0.45 * number + 0.2 * shade + 0.10 * rough)
+    height = 0.9 * hard + 0.22 * thin + 0.55 * blocks.number + 0.22 * chips.number + 0.26 * rough
+    height -= 0.75 * groove * (1 - 0.5 * hard) + 0.14 * line + 0.6 * joint + 0.12 * crack
+    albedo = mix((0.165, 0.145, 0.12), (0.335, 0.29, 0.23), 0.25 + 0.45 * number + 0.2 * shade + 0.15 * rough)
     albedo = mix(albedo, (0.33, 0.215, 0.13), 0.5 * smooth(0.72, 0.9, number) + 0.3 * smooth(0.9, 1.0, shade))
-    dirt = np.clip(0.55 * groove * (1 - hard) + 0.65 * joint * (blocks.other > 0.35) + 0.2 * crack + 0.12 * line, 0, 1)
-    return height, mix(albedo, (0.075, 0.065, 0.055), 0.8 * dirt), 0.82 + 0.1 * dirt
+    dirt = np.clip(0.55 * groove * (1 - hard) + 0.75 * joint + 0.2 * crack + 0.12 * line, 0, 1)
+    return height, mix(albedo, (0.08, 0.07, 0.058), 0.85 * dirt), 0.82 + 0.1 * dirt
 
 
 def _reef(size: int, seed: int):
@@ -141,17 +141,17 @@ def _reef(size: int, seed: int):
     plates = cells(size, 5, 7, seed + 2, warp)
     lumps = cells(size, 13, 13, seed + 3, warp)
     pits = cells(size, 34, 34, seed + 4, _warp(size, seed + 5, 0.004))
-    rough = waves(size, seed + 7, 1.5, 4, 300)
+    rough = waves(size, seed + 7, 1.25, 4, 400)
     crevice = 1 - smooth(0.0, 0.13, plates.border + 0.03 * rough)
     crack = 1 - smooth(0.0, 0.14, lumps.border + 0.04 * rough)
-    hollow = (1 - smooth(0.16, 0.44, pits.first)) * (pits.number > 0.45)
+    hollow = (1 - smooth(0.16, 0.44, pits.first)) * (pits.number > 0.68)
     height = 0.7 * plates.number + 0.5 * lumps.number * (1 - lumps.first) + 0.28 * rough
     height -= 0.95 * crevice + 0.32 * crack + 0.28 * hollow
     albedo = mix((0.125, 0.115, 0.10), (0.265, 0.235, 0.19), 0.42 + 0.25 * rough + 0.3 * (lumps.number - 0.5))
     crust = smooth(0.5, 1.3, waves(size, seed + 8, 1.0, 8, 120) + 0.4 * rough)
     albedo = mix(albedo, (0.34, 0.325, 0.285), 0.5 * crust)  # barnacles
-    dirt = np.clip(0.8 * crevice + 0.45 * crack + 0.4 * hollow, 0, 1)
-    return height, mix(albedo, (0.06, 0.056, 0.05), 0.8 * dirt), 0.8 + 0.1 * dirt - 0.1 * hollow
+    dirt = np.clip(0.75 * crevice + 0.4 * crack + 0.25 * hollow, 0, 1)
+    return height, mix(albedo, (0.085, 0.078, 0.068), 0.75 * dirt), 0.8 + 0.1 * dirt - 0.1 * hollow
 
 
 def _strands(size: int, seed: int, count: int, length: float, sway: float, fine: int):

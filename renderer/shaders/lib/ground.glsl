@@ -76,7 +76,7 @@ void ground_weights(Site s, out float weights[LAYERS]) {
     rock = max(rock, smoothstep(0.085, 0.17, s.rough + 0.02 * ragged) * (1.0 - dry_land));
     rock = mix(rock, 1.0, s.cover.g) * (1.0 - max(s.cover.r, s.cover.b));
     grass = mix(grass * (1.0 - s.cover.r), 1.0, s.cover.b);
-    float cliff = smoothstep(0.42, 0.75, rise + 0.25 * ragged);
+    float cliff = smoothstep(0.34, 0.58, rise + 0.25 * ragged);
     float seaward = 1.0 - smoothstep(0.6, 3.4, h - u_ground_sand_top_m + 3.5 * ragged);
     seaward *= 1.0 - smoothstep(0.5, 0.9, rise);
     float bed = -h + 0.3 * ragged;
@@ -138,7 +138,7 @@ Macro macro_at(vec3 p, Site s, float pixel_m) {
     vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
     vec3 rock = mix(vec3(0.72, 0.72, 0.74), vec3(1.22, 1.20, 1.16), smoothstep(0.25, 0.75, band.g));
     rock = mix(rock, vec3(1.30, 1.04, 0.80), 0.6 * smoothstep(0.62, 0.95, band.r));
-    vec4 course = textureLod(u_noise, vec2((bed + 0.3 * mid.b) * 0.11, 0.71), log2(max(pixel_m * 56.0, 1.0)));
+    vec4 course = textureLod(u_noise, vec2((bed + 0.08 * mid.b) * 0.11, 0.71), log2(max(pixel_m * 56.0, 1.0)));
     float cliff = smoothstep(0.15, 0.5, 1.0 - s.normal.z);
     rock *= 1.0 + cliff * (0.30 * (course.g - 0.5) - 0.40 * (1.0 - smoothstep(0.05, 0.30, course.g)));
     return Macro(sand, grass * (1.05 + 0.25 * (mid.g - 0.5)), rock * (0.82 + 0.36 * broad.g));
@@ -216,7 +216,9 @@ Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer)
     }
     sum = 1.0 / max(sum, 1e-5);
     float detail = u_ground_detail;
-    Ground g = Ground(min(albedo * sum, 0.9), normalize(s.normal - detail * sum * lean),
+    lean *= detail * sum;
+    lean *= inversesqrt(1.0 + 0.8 * dot(lean, lean));  // steeper grains shade each other and would turn black
+    Ground g = Ground(min(albedo * sum, 0.9), normalize(s.normal - lean),
                       rougher(roughness * sum, detail * detail * variance * sum), 0.03);
     splash_on(g, s, rock * sum);
     wet = max(wet * (1.0 - 0.7 * rock * sum), s.cover.a) * smoothstep(-0.5, -0.1, s.height);

@@ -29,18 +29,19 @@ struct Sample {
 
 vec2 patch_shift(float index) { return fract(sin(vec2(index * 12.99 + 1.7, index * 78.23 + 4.1)) * 43.7); }
 
-Patch patch_at(float place) {
+// `edge` is the half width of the border between two patches, as a part of them.
+Patch patch_at(float place, float edge) {
     float index = floor(place);
-    return Patch(patch_shift(index), patch_shift(index + 1.0), smoothstep(0.4, 0.6, place - index));
+    return Patch(patch_shift(index), patch_shift(index + 1.0), smoothstep(0.5 - edge, 0.5 + edge, place - index));
 }
 
 // Patches some ten metres wide for the materials, and broad ones for the noise that tints them.
 #ifdef GROUND_CHEAP
 Patch small_patch(vec2 xy, float pixel_m) { return Patch(vec2(0.0), vec2(0.0), 0.0); }
 #else
-Patch small_patch(vec2 xy, float pixel_m) { return patch_at(11.0 * noise_at(turn(xy, 0.25, 0.968), 307.0, pixel_m).r); }
+Patch small_patch(vec2 xy, float pixel_m) { return patch_at(11.0 * noise_at(turn(xy, 0.25, 0.968), 307.0, pixel_m).r, 0.12); }
 #endif
-Patch wide_patch(vec2 xy, float pixel_m) { return patch_at(9.0 * noise_at(turn(xy, -0.66, 0.751), 877.0, pixel_m).r); }
+Patch wide_patch(vec2 xy, float pixel_m) { return patch_at(9.0 * noise_at(turn(xy, -0.66, 0.751), 877.0, pixel_m).r, 0.45); }
 
 // Noise without a period: two shifts of it, blended so that its contrast stays (Heitz & Neyret 2018).
 vec4 free_noise(vec2 xy, float tile_m, float pixel_m, Patch tile) {
