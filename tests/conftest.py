@@ -49,6 +49,16 @@ def ctx():
     context.release()
 
 
+@pytest.fixture(scope="module")
+def renderer(ctx):
+    """A renderer of that context, one a module."""
+    from shorewright.renderer import Renderer
+
+    made = Renderer(ctx)
+    yield made
+    made.release()
+
+
 @pytest.fixture
 def data_dir():
     """The folder of real files beside the project; tests that need it skip where it is missing."""

@@ -7,18 +7,11 @@ from shorewright.level import BadInput, Settings
 from shorewright.level.environments import ENVIRONMENTS, TOUCHED, environment_of, environment_settings
 from shorewright.level.params import get, replace
 from shorewright.level.sun import light_angles, stand_at, sun_angles
-from shorewright.renderer import Renderer, Show, render, sky_light, sky_table
+from shorewright.renderer import Show, render, sky_light, sky_table
 from shorewright.renderer.look import white_balance
 
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 SMALL = (96, 54)
-
-
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
 
 
 def angle_between(a, b) -> float:

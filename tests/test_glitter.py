@@ -5,19 +5,12 @@ import pytest
 from shorewright.level import Grid, Level
 from shorewright.level.objects import Camera
 from shorewright.level.settings import Sea
-from shorewright.renderer import Renderer, render
+from shorewright.renderer import render
 from shorewright.renderer.look import ripple_slopes, sun_direction, wave_slopes
 
 pytestmark = pytest.mark.gl
 AZIMUTH, ELEVATION = 235.0, 38.0
 WATER_F0 = 0.02
-
-
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
 
 
 def open_sea(wind_mps, heading_deg=70.0, **sea):

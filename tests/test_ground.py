@@ -7,20 +7,13 @@ from scipy.ndimage import gaussian_filter
 from shorewright.level import Grid, Level, Rect
 from shorewright.level.ground_textures import MATERIALS
 from shorewright.level.objects import Camera
-from shorewright.renderer import Renderer, render
+from shorewright.renderer import render
 from shorewright.renderer.passes.terrain import ground_uniforms
 
 pytestmark = pytest.mark.gl
 LUMINANCE = np.array([0.2126, 0.7152, 0.0722])
 SIDE = 257
 COLOURS = {row.name: row.colour for row in MATERIALS}
-
-
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
 
 
 def ground(height, side: int = SIDE, **settings) -> Level:

@@ -12,13 +12,6 @@ SIZE = (32, 18)
 SIDE = 257
 
 
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
-
-
 def openness(renderer, level, quality: str = "medium") -> np.ndarray:
     """The map `(rows, cols, 4)`, row 0 south: open, rough × 2, bent normal about one half."""
     renderer.draw(level, camera(), SIZE, quality=quality)

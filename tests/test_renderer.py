@@ -13,13 +13,6 @@ from shorewright.renderer.upload import Uploader
 pytestmark = pytest.mark.gl
 
 
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
-
-
 def test_same_time_same_bytes_however_it_was_reached(renderer, ctx):
     """Run and stop, scrub, a fresh renderer: one picture (T05)."""
     level, place = coast(), camera()

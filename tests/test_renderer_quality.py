@@ -3,17 +3,10 @@
 import numpy as np
 import pytest
 from scenes import camera, coast
-from shorewright.renderer import TIERS, Overlays, Renderer, Ring, render
+from shorewright.renderer import TIERS, Overlays, Ring, render
 
 pytestmark = pytest.mark.gl
 SIZE = (160, 90)
-
-
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
 
 
 def drawn_pixels(renderer) -> int:

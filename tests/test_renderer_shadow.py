@@ -10,13 +10,6 @@ pytestmark = pytest.mark.gl
 SIZE = (32, 18)
 
 
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
-
-
 def bumpy(rows: int, cols: int, sun: tuple[float, float]) -> Level:
     rng = np.random.default_rng(5)
     level = Level(Grid(rows, cols), rng.uniform(0, 3, (rows, cols)).astype(np.float32))

@@ -8,17 +8,10 @@ from scenes import SIZE, camera, coast, is_sea
 from shorewright.io import read_level
 from shorewright.level import Grid, Level
 from shorewright.level.waves import sea_at
-from shorewright.renderer import Renderer, Show, camera_matrices, render
+from shorewright.renderer import Show, camera_matrices, render
 
 pytestmark = pytest.mark.gl
 SAMPLES = Path(__file__).parents[1] / "sample_levels"
-
-
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
 
 
 @pytest.mark.parametrize("quality", ["medium", "high"])

@@ -8,7 +8,7 @@ from shorewright.level.objects import Camera
 from shorewright.level.scatter import INSTANCE
 from shorewright.level.scatter_kinds import SCATTER
 from shorewright.level.scatter_meshes import mesh
-from shorewright.renderer import Renderer, Show, render
+from shorewright.renderer import Show, render
 from shorewright.renderer import scatter as gathering
 from shorewright.renderer.camera import camera_matrices
 from shorewright.renderer.quality import TIERS
@@ -18,13 +18,6 @@ pytestmark = pytest.mark.gl
 SIZE = (160, 90)
 EYE = Camera(id="eye", x=150, y=128, z=5.5, yaw_deg=330, pitch_deg=-12, fov_deg=60)
 DRY = Show.hide("water")
-
-
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
 
 
 @pytest.fixture

@@ -4,17 +4,10 @@ import numpy as np
 import pytest
 from shorewright.level import Grid, Level
 from shorewright.level.objects import Camera
-from shorewright.renderer import Renderer, render
+from shorewright.renderer import render
 
 pytestmark = pytest.mark.gl
 MOVES = ((0.001, 0, 0), (0, 0.001, 0), (0, 0, 0.001))
-
-
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
 
 
 # low draws half the sides and its sharpening filter makes two of a single step

@@ -6,7 +6,7 @@ from scenes import coast
 from shorewright.level.objects import Camera
 from shorewright.level.settings import Settings, Water
 from shorewright.level.water_optics import PURE_ABSORPTION, absorption, backscatter
-from shorewright.renderer import Renderer, render
+from shorewright.renderer import render
 from shorewright.renderer.look import look_uniforms
 from test_light import LUMINANCE, evaluate
 
@@ -63,13 +63,6 @@ def test_crest_light_glows_against_the_sun_on_raised_faces_alone(ctx):
     uniforms = look_uniforms(Settings(), 0.0)
     assert evaluate(ctx, "water", CREST, (9, 9), **uniforms, u_water_crest_light=100.0)[..., :3].max() <= 0.5
     assert evaluate(ctx, "water", CREST, (9, 9), **uniforms, u_water_crest_light=0.0)[..., :3].max() == 0
-
-
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
 
 
 @pytest.mark.gl

@@ -6,19 +6,12 @@ from scenes import coast
 from shorewright.level.objects import Camera
 from shorewright.level.pick import ground_at
 from shorewright.level.waves import sea_at
-from shorewright.renderer import Renderer, Show, render
+from shorewright.renderer import Show, render
 
 pytestmark = pytest.mark.gl
 PLACE = Camera(id="c", x=128, y=145, z=45, yaw_deg=0, pitch_deg=-90, fov_deg=45)
 DRY = Show.hide("water")
 CREEP_M = 0.035  # how far the sand draws water above the sheet
-
-
-@pytest.fixture(scope="module")
-def renderer(ctx):
-    made = Renderer(ctx)
-    yield made
-    made.release()
 
 
 @pytest.fixture
