@@ -1,7 +1,8 @@
 """Golden pictures on the pinned software driver: what a frame looked like when somebody last looked at it.
 
 `SHOREWRIGHT_GOLDENS=write pytest tests/test_goldens.py` writes them anew; look at each before committing it. Elsewhere
-than on that driver the comparison is skipped. Rows seen in them: D01 D03 D04 D10 D11 D31 D38 T11.
+than on that driver the comparison is skipped. Rows seen in them: D01 D03 D04 D10 D11 D31 D38 T11 L01 to L09 H11.
+`VIEW@ENVIRONMENT` is a view under an environment.
 """
 
 import os
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 import shorewright
 from shorewright.io.images import read_image, write_image
+from shorewright.level.environments import environment_settings
 
 ROOT = Path(__file__).parents[1]
 GOLDENS = Path(__file__).parent / "goldens"
@@ -33,6 +35,13 @@ SHOTS = [
     ("cove", "survey", "walkable"),
     ("island", "survey", "final"),
     ("island", "beach", "final"),
+    ("cove", "beach", "lookdev"),
+    ("cove", "play", "ground"),
+    ("cove", "play", "shore_distance"),
+    ("cove", "beach", "final@golden_hour"),
+    ("cove", "survey", "final@moonlit"),
+    ("island", "beach", "final@storm"),
+    ("island", "play", "final@fog"),
 ]
 
 
@@ -49,9 +58,12 @@ def test_picture_is_the_one_last_looked_at(driver, tmp_path, name, camera, view)
     from shorewright.renderer.offscreen import render
 
     level = shorewright.open(ROOT / "sample_levels" / f"{name}.shore")
+    path = GOLDENS / f"{name}-{camera}-{view.replace('@', '-')}.png"
+    view, _, environment = view.partition("@")
+    if environment:
+        level.set_settings(environment_settings(level.settings, environment))
     seen = render(level, camera, SIZE, TIME_S, view, quality="medium")
     assert seen.std() > 2, "a blank picture"
-    path = GOLDENS / f"{name}-{camera}-{view}.png"
     if os.environ.get("SHOREWRIGHT_GOLDENS") == "write":
         GOLDENS.mkdir(exist_ok=True)
         write_image(path, seen)
