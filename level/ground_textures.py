@@ -13,7 +13,6 @@ import numpy as np
 
 from .tiling import cells, comb, ripples, smooth, waves
 
-SIZES = (64, 256, 512, 1024)  # samples a side that the tiers use; the first one is there at once
 SPAN = 6.0  # deviations of height that 0 … 1 holds
 
 

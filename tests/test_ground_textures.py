@@ -111,6 +111,20 @@ def test_coarse_ones_stand_in_until_the_fine_ones_arrive(ctx, empty_cache, monke
 
 
 @pytest.mark.gl
+def test_pictures_for_files_wait_for_the_fine_ones(ctx, empty_cache):
+    """A window's renderer asked for a picture by `render` draws the same bytes as one that waits."""
+    from scenes import camera, coast
+    from shorewright.renderer import Renderer, render
+
+    shots = []
+    for background in (True, False):
+        renderer = Renderer(ctx, background)
+        shots.append(render(coast(), camera(), (64, 36), quality="low", renderer=renderer))
+        renderer.release()
+    assert np.array_equal(*shots)
+
+
+@pytest.mark.gl
 def test_bytes_of_each_set_are_told(ctx):
     """Two arrays of eight layers of four bytes, and a third more for their mip levels."""
     textures = Textures(ctx)
