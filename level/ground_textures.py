@@ -13,7 +13,6 @@ import numpy as np
 
 from .tiling import cells, comb, ripples, smooth, waves
 
-SIZES = (64, 256, 512, 1024)  # samples a side that the tiers use; the first one is there at once
 SPAN = 6.0  # deviations of height that 0 … 1 holds
 
 
@@ -178,12 +177,12 @@ def _grass(size: int, seed: int):
 def _dune(size: int, seed: int):
     blades, tuft = _strands(size, seed, 11, 0.034, 1.6, 200)
     clump = waves(size, seed + 40, 1.4, 2, 20)
-    reach = 0.55 + 0.30 * (tuft.number - 0.5) + 0.10 * clump
+    reach = 0.61 + 0.30 * (tuft.number - 0.5) + 0.10 * clump
     cover = smooth(0.12, -0.12, tuft.first - reach + 0.13 * blades)
     sand = 0.12 * ripples(size, seed + 41, 30, 5.0, 0.9) + 0.08 * waves(size, seed + 42, 1.5, 2, 60)
     height = sand + cover * (0.9 + 1.3 * np.maximum(0.7 - tuft.first, 0) + 0.36 * blades)
     ground = mix((0.375, 0.305, 0.215), (0.50, 0.435, 0.335), 0.45 + 0.15 * waves(size, seed + 43, 0.3, 40))
-    green = mix((0.070, 0.085, 0.032), (0.30, 0.295, 0.135), 0.42 + 0.30 * blades + 0.3 * (tuft.other - 0.5))
+    green = mix((0.055, 0.072, 0.028), (0.235, 0.245, 0.105), 0.42 + 0.30 * blades + 0.3 * (tuft.other - 0.5))
     shade = smooth(0.30, 0.0, tuft.first - reach) * 0.25 * (1 - cover)
     return height, mix(ground * (1 - shade)[..., None], green, cover), 0.9 + 0.02 * cover
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..level import BadInput, Level
 from ..level.objects import Camera
+from .quality import tier
 from .show import Overlays, Show
 
 _own: dict[str, object] = {}
@@ -66,6 +67,7 @@ def render(
         raise BadInput(f"{samples} samples a pixel are outside 1 to {MOST_SAMPLES}")
     camera = level.camera(camera) if isinstance(camera, str) else camera
     renderer = renderer or own_renderer()
+    renderer.generated.settle(tier(quality))  # never a picture of coarse stand-ins
     scale = 1.0 if linear else None  # numbers are never made up by a filter
     renderer.draw(level, camera, size, time_s, view, show, quality, samples, overlays, scale)
     return renderer.read(linear)

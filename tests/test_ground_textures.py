@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scenes import camera, coast
 from shorewright.level.ground_textures import MATERIALS, SPAN, encode, ground_textures, material
 from shorewright.level.tiling import cells, waves
 from shorewright.renderer import cache
@@ -111,6 +112,19 @@ def test_coarse_ones_stand_in_until_the_fine_ones_arrive(ctx, empty_cache, monke
 
 
 @pytest.mark.gl
+def test_pictures_for_files_wait_for_the_fine_ones(ctx, empty_cache):
+    """A window's renderer asked for a picture by `render` draws the same bytes as one that waits."""
+    from shorewright.renderer import Renderer, render
+
+    shots = []
+    for background in (True, False):
+        renderer = Renderer(ctx, background)
+        shots.append(render(coast(), camera(), (64, 36), quality="low", renderer=renderer))
+        renderer.release()
+    assert np.array_equal(*shots)
+
+
+@pytest.mark.gl
 def test_bytes_of_each_set_are_told(ctx):
     """Two arrays of eight layers of four bytes, and a third more for their mip levels."""
     textures = Textures(ctx)
@@ -119,3 +133,37 @@ def test_bytes_of_each_set_are_told(ctx):
     assert textures.bytes[f"ground {texels}"] == 2 * 8 * texels**2 * 4 * 4 // 3
     assert set(textures.bytes) == {"noise", "foam", "ripple", f"ground {texels}"}
     textures.release()
+
+
+class Windowed:
+    """A context with a window's framebuffer."""
+
+    def __init__(self, ctx) -> None:
+        self.ctx, self.screen = ctx, ctx.simple_framebuffer((8, 8))
+
+    def __getattr__(self, name: str):
+        return getattr(self.ctx, name)
+
+
+@pytest.mark.gl
+def test_a_paused_window_draws_again_when_fine_ones_arrive(ctx, empty_cache, monkeypatch, tmp_path):
+    """Paused and unchanged nothing is redrawn, but for textures that came meanwhile (L05)."""
+    from shorewright.app.editor import Editor
+    from shorewright.app.picture import WIDGETS_FIRST, Picture
+    from shorewright.app.preferences import Preferences
+    from shorewright.app.session import Session
+
+    monkeypatch.setattr("shorewright.app.picture.STILLS", {})  # else a finer tier would be drawn when it stands still
+    session = Session(coast(), spill_root=tmp_path)
+    editor = Editor(session, Preferences(), tmp_path / "preferences.json")
+    editor.quality = "low"
+    picture = Picture(Windowed(ctx))
+    for _ in range(WIDGETS_FIRST + 1):
+        picture.show(editor, (64, 36))
+    first = picture.draws
+    assert first == 1
+    picture.renderer.generated.settle(TIERS["low"])
+    picture.show(editor, (64, 36))
+    assert picture.draws == first + 1
+    picture.release()
+    session.close()
