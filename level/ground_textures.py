@@ -86,9 +86,9 @@ def _stones(size: int, count: int, seed: int, part: float, warp):
 def _shingle(size: int, seed: int):
     warp = _warp(size, seed, 0.004)
     height = 0.10 * waves(size, seed + 2, 1.6, 2, 60)
-    colour = np.broadcast_to((0.16, 0.145, 0.125), (size, size, 3)).copy()
+    colour = np.broadcast_to((0.235, 0.205, 0.165), (size, size, 3)).copy()
     colour *= (1 + 0.2 * waves(size, seed + 3, 0.2, 60))[..., None]
-    grey, buff = (0.155, 0.16, 0.165), (0.31, 0.26, 0.20)
+    grey, buff = (0.205, 0.200, 0.190), (0.36, 0.30, 0.225)
     for count, part, lift in ((62, 0.95, 0.35), (34, 0.8, 0.62), (17, 0.5, 1.15)):
         dome, number, other = _stones(size, count, seed + count, part, warp)
         top = dome * lift + 0.12 * lift

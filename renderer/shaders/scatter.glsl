@@ -81,7 +81,7 @@ Thing thing_at(vec3 p, vec3 n, float pixel_m, float height, out float porous) {
     // splash keeps large ones dark, as it does the land's rock (L06); small ones lie clean on the sand
     float reach = u_shore_range_m * u_shore_runup + u_wet_splash_m;
     float splash = 1.0 - smoothstep(0.55 * reach, 1.2 * reach, height + 0.9 * (broad.g - 0.5) + 0.5 * (grain.g - 0.5));
-    tint *= mix(vec3(1.0), vec3(0.50, 0.51, 0.48), splash * smoothstep(0.15, 0.6, v_look.z));
+    tint *= mix(vec3(1.0), vec3(0.50, 0.51, 0.48), splash * smoothstep(0.15, 0.6, v_look.z) * smoothstep(-0.5, 0.0, height));
     vec3 bump = vec3(grain.g - 0.5, grain.b - 0.5, grain.r - 0.5) * 0.55 + vec3(broad.g, broad.b, broad.r) * 0.5 - 0.25;
     porous = 0.9;
     return Thing(tint, normalize(n + bump), 0.84, 1.0);
@@ -128,7 +128,8 @@ void main() {
     float damp = 0.0;
 #ifndef GRASS
     damp = height < 0.0 ? 1.0 : shore_wet(position.xy, height, pixel_m).damp;
-    thing.albedo *= mix(vec3(1.0), vec3(0.46, 0.46, 0.45), damp * porous);
+    // a film darkens; under water there is none (lib/ground.glsl does the same)
+    thing.albedo *= mix(vec3(1.0), vec3(0.46, 0.46, 0.45), damp * porous * smoothstep(-0.5, -0.1, height));
     thing.roughness = mix(thing.roughness, 0.35, damp);
 #endif
     float mark = 0.0;
