@@ -20,7 +20,7 @@ WIDGETS_FIRST = 2  # frames with widgets only: the first picture waits for its s
 RETRY_S = 3.0  # after a failure
 REFINED = 16  # samples a pixel that a picture which stands still gathers in the end (L04)
 FIRST_GATHERED = 4  # of them at once: fewer would show coarser edges than the smoothed picture before
-LONGEST_SAMPLE_S = 0.35  # where one takes longer the smoothed picture is left as it is
+LONGEST_SAMPLE_S = 0.1  # where one takes longer the smoothed picture is left as it is
 STILLS = {"low": "medium"}  # tiers that are there for speed draw what stands still as another
 
 

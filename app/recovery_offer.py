@@ -17,7 +17,7 @@ from . import recovery_record as record
 
 log = logging.getLogger(__name__)
 SUFFIX = ".recovery"
-VERSION = 1
+VERSION = 2  # that of level.json, whose settings the log holds; older ones are brought forward
 
 
 def default_root() -> Path:
@@ -89,7 +89,7 @@ def read_offer(path: Path) -> Offer | None:
             saving = header["kind"] == "saving"
             if header["kind"] == "step":
                 labels += header.get("labels") or [header["label"]]
-    if head.get("kind") != "start" or head["version"] != VERSION:
+    if head.get("kind") != "start" or not 1 <= head["version"] <= VERSION:
         return None
     folder = Path(head["folder"]) if head["folder"] else None
     if folder is None:
@@ -108,8 +108,14 @@ def rows_of(file) -> Iterator[tuple[int, dict, bytes]]:
 
 def changes_of(file) -> Iterator[record.Change]:
     """The steps in a log, oldest first."""
+    from ..io.migrate import migrate_settings
+
+    version = VERSION
     for _, header, payload in rows_of(file):
+        version = header["version"] if header["kind"] == "start" else version
         if header["kind"] == "step":
+            if "settings" in header:
+                header["settings"] = migrate_settings(header["settings"], version)
             yield record.decode(header, payload)
 
 

@@ -12,7 +12,10 @@ VERSION = 2
 
 
 def _added_absorption(raw: dict) -> dict:
-    """1 to 2: `water.absorb_…` were totals, now they are added to what pure water takes; the water keeps its colour."""
+    """1 to 2: `water.absorb_…` were totals, now they are added to what pure water takes.
+
+    Water keeps its colour; what was clearer than pure water becomes pure.
+    """
     settings = raw.get("settings")
     water = settings.get("water") if isinstance(settings, dict) else None
     if not isinstance(water, dict):
@@ -43,3 +46,8 @@ def migrate(raw: dict, path: Path) -> dict:
         version += 1
         raw["shorewright_level"] = version
     return raw
+
+
+def migrate_settings(settings: dict, version: int) -> dict:
+    """A level's settings alone, in the current version: recovery logs hold them."""
+    return migrate({"shorewright_level": version, "settings": settings}, Path("settings"))["settings"]

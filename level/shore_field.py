@@ -110,6 +110,7 @@ def _sizes(level: Level) -> tuple[int, int]:
     """(stride, times): samples of the level a mask cell, texels a mask cell; never finer than half a cell."""
     side, cell_m = max(level.grid.shape) - 1, level.grid.cell_m
     stride = max(1, math.floor(CELL_M / cell_m), math.ceil(side / (MOST_SIDE - 1)))
+    stride = min(stride, min(level.grid.shape) - 1)  # a thin level keeps both its sides
     fine = stride * cell_m > 1.4 * CELL_M and 2 * (side // stride) < MOST_SIDE
     return stride, 2 if fine else 1
 

@@ -240,7 +240,8 @@ class Renderer:
         parts = (self.programs, self.uploader, self.generated, self.sky, *kept)
         for thing in (*parts, *(t for held in owners for t in held.values())):
             thing.release()
-        self.kept.clear()
+        for held in (self.kept, self.targets, self.meshes):
+            held.clear()
 
 
 def jitter(index: int, samples: int) -> tuple[float, float]:

@@ -14,16 +14,8 @@ import numpy as np
 
 from ..level import Settings
 from ..level.sun import light_angles
-from .sky_table import (
-    AERIAL,
-    COLUMNS,
-    GROUND_ALBEDO,
-    ROWS,
-    aerial_table,
-    air_extinction,
-    sky_table,
-    sun_illuminance,
-)
+from .air import GROUND_ALBEDO, air_extinction
+from .sky_table import AERIAL, AERIAL_FIRST_KM, AERIAL_RATIO, COLUMNS, ROWS, aerial_table, sky_table, sun_illuminance
 
 # Full moon over sun: 0.27 lx against 128 klx (Krisciunas & Schaefer 1991, V = −12.7 against −26.7)
 MOON = 10 ** (-0.4 * (26.74 - 12.74)) * np.array([1.06, 1.0, 0.92])
@@ -120,8 +112,6 @@ def deck_table(deck: np.ndarray) -> np.ndarray:
 
 def _aerial_under(deck: np.ndarray, turbidity: float) -> np.ndarray:
     """Light that air under a closed layer adds, `(16, 16, 1, 3)`: that of the layer from all sides."""
-    from .sky_table import AERIAL_FIRST_KM, AERIAL_RATIO
-
     distance = 1000 * AERIAL_FIRST_KM * AERIAL_RATIO ** np.arange(AERIAL[0])
     extinction = np.add(*air_extinction(turbidity))
     share = 1 - np.exp(-distance[:, None] * extinction)

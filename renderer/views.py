@@ -64,7 +64,7 @@ VIEWS: dict[str, View] = {
              ids="L08", scene="lookdev"),
         View("furnace", "Furnace", "White land under even light: whatever isn't 1 is a fault of the light.", "lit",
              "grey", 0.9, 1.1, ids="L01", scene="white",
-             settings=(("light.body", "even"), ("water.on", False), ("fog.on", False))),
+             settings=(("light.body", "even"), ("light.cloud_cover", 0.0), ("water.on", False), ("fog.on", False))),
         View("albedo", "Albedo", "Colour of land and foam without light.", "s.albedo", "colour", ids="D01"),
         View("normal", "Normal", "World normals: red east, green north, blue up.", "s.normal", "normal", ids="D01"),
         View("roughness", "Roughness", "Roughness of what lies on top.", "vec3(s.roughness)", ids="D01"),

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from shorewright.renderer import cache
+from shorewright.renderer.air import make_multiple_table, multiple_table
 from shorewright.renderer.cache import KEPT, cached, folder
-from shorewright.renderer.sky_table import _make_multiple_table, _multiple_table
 
 
 class Maker:
@@ -105,7 +105,7 @@ def test_the_folder_is_the_users_cache_or_the_variables(own, monkeypatch):
 
 def test_what_is_read_is_what_is_made(own):
     """The sky's table by way of the disk and without it: the same numbers."""
-    _multiple_table.cache_clear()
-    _multiple_table(2.25)
-    _multiple_table.cache_clear()
-    assert np.array_equal(_multiple_table(2.25), _make_multiple_table(2.25))
+    multiple_table.cache_clear()
+    multiple_table(2.25)
+    multiple_table.cache_clear()
+    assert np.array_equal(multiple_table(2.25), make_multiple_table(2.25))

@@ -34,7 +34,8 @@ def draw(frame: Frame) -> None:
     cirrus = float("clouds" in frame.show and not sky.light.even)
     shader = frame.shader("lobes.glsl")
     fog = frame.uniforms["u_fog_density"], frame.uniforms["u_fog_height_m"]
-    key = id(sky.light), tuple(frame.uniforms["u_sun_direction"]), cirrus, fog, shader.generation
+    sun = tuple(float(v) for v in frame.uniforms["u_sun_direction"])
+    key = sky.light, sun, cirrus, fog, frame.textures["u_noise"], shader.generation
     if lobes.key != key:
         _make(frame, lobes, shader, cirrus)
         lobes.key = key

@@ -183,12 +183,12 @@ def start(ctx) -> list[dict]:
 
     from shorewright.level import Settings, ground_textures, textures
     from shorewright.level.params import replace
-    from shorewright.renderer import TIERS, Renderer, sky_light, sky_table
+    from shorewright.renderer import TIERS, Renderer, air, sky_light, sky_table
     from shorewright.renderer.cache import VARIABLE
 
     made = [textures.noise_texture, textures.foam_texture, textures.ripple_texture, sky_light._made]
     made.append(ground_textures.ground_textures)
-    made += [sky_table.sky_table, sky_table.aerial_table, sky_table._multiple_table, sky_table._transmittance_table]
+    made += [sky_table.sky_table, sky_table.aerial_table, air.multiple_table, air.transmittance_table]
     before, took = os.environ.get(VARIABLE), []
     with tempfile.TemporaryDirectory() as folder:
         os.environ[VARIABLE] = folder

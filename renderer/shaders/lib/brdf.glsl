@@ -32,7 +32,7 @@ float ggx(float n_l, float n_v, float n_h, float alpha) {
 vec3 brdf_sun(vec3 albedo, vec3 n, vec3 v, vec3 l, float roughness, vec3 f0) {
     float n_l = clamp(dot(n, l), 0.0, 1.0);
     float n_v = max(dot(n, v), 1e-3);
-    vec3 h = normalize(l + v);
+    vec3 h = normalize(l + v + 1e-5 * n);  // n keeps it from being nothing
     float alpha = max(roughness * roughness, 0.0025) + 0.0023;  // the sun is half a degree wide
     vec3 f = fresnel_schlick(f0, dot(v, h));
     vec2 env = specular_albedo(roughness, n_v);
@@ -62,7 +62,7 @@ float beckmann_lambda(float cosine, float sigma) {
 vec3 brdf_sun_water(vec3 albedo, vec3 n, vec3 v, vec3 l, float roughness, vec3 f0) {
     float n_l = clamp(dot(n, l), 0.0, 1.0), n_v = max(dot(n, v), 1e-3);
     float alpha = roughness * roughness;
-    vec3 h = normalize(l + v);
+    vec3 h = normalize(l + v + 1e-5 * n);  // n keeps it from being nothing
     // slopes of the facet that mirrors the sun, along and across the wind, against the normal's own plane
     vec3 along = normalize(vec3(u_wind_way, 0.0) - n * dot(n.xy, u_wind_way));
     vec3 across = cross(n, along);

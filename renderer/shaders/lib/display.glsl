@@ -1,7 +1,5 @@
 // The one display transform (L01): linear scene light in kcd/m² to linear display light, then sRGB, then dither.
 
-const vec3 LUMINANCE = vec3(0.2126, 0.7152, 0.0722);
-
 // EV100 to the factor on kcd/m²: 1 is where a sensor of ISO 100 saturates (Lagarde & de Rousiers 2014, 4.1.2).
 float exposure_scale(float ev100) { return 1000.0 / (1.2 * exp2(ev100)); }
 

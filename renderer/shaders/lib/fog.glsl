@@ -15,10 +15,9 @@ const float AIR_HEIGHT_M = 8000.0, HAZE_HEIGHT_M = 1200.0;
 
 // Metres of sea-level air between heights a and b, `distance_m` apart, where it thins to 1/e over `scale_m`.
 float air_metres(float a, float b, float distance_m, float scale_m) {
-    float h = (b - a) / scale_m;
-    float start = exp(-max(a, 0.0) / scale_m);
-    float mean = abs(h) < 1e-3 ? 1.0 - 0.5 * h : (1.0 - exp(-max(h, -60.0))) / h;
-    return start * mean * distance_m;
+    float low = max(a, 0.0) / scale_m, high = max(b, 0.0) / scale_m, h = high - low;
+    float mean = abs(h) < 1e-3 ? exp(-low) * (1.0 - 0.5 * h) : (exp(-low) - exp(-high)) / h;
+    return mean * distance_m;
 }
 
 float fog_depth(float a, float b, float distance_m) {

@@ -81,7 +81,7 @@ float wave_face(Sea sea, vec3 normal, float body) {
 
 // Form of a standing wave in the light that comes out of it: sides that turn away from the sun take in less.
 float wave_shade(vec3 normal, float body) {
-    float turned = (dot(normal, u_sun_direction) + 0.35) / (u_sun_direction.z + 0.35);
+    float turned = (dot(normal, vec3(u_sun_direction.xy, max(u_sun_direction.z, 0.0))) + 0.35) / (max(u_sun_direction.z, 0.0) + 0.35);
     return mix(1.0, clamp(turned, 0.45, 1.5), body);
 }
 
