@@ -125,6 +125,28 @@ def test_pictures_for_files_wait_for_the_fine_ones(ctx, empty_cache):
 
 
 @pytest.mark.gl
+def test_what_things_mirror_follows_the_noise(ctx, empty_cache, monkeypatch):
+    """L02: clouds in the mirror, made of coarse noise at first, are those of a renderer that waited in the end."""
+    import threading
+
+    from shorewright.renderer import Renderer, render
+    from shorewright.renderer import textures as module
+
+    gate, make = threading.Event(), module._make
+    monkeypatch.setattr(module, "_make", lambda name: (gate.wait(60), make(name))[1])
+    level, shots = coast(), []
+    level.set("light.cloud_cover", 1.0)
+    window = Renderer(ctx, background=True)
+    window.draw(level, camera(), (96, 54), 1.0, "lookdev", quality="low")
+    gate.set()
+    window.generated.settle(TIERS["low"])
+    for renderer in (window, Renderer(ctx)):
+        shots.append(render(level, camera(), (96, 54), 1.0, "lookdev", quality="low", renderer=renderer))
+        renderer.release()
+    assert np.array_equal(*shots)
+
+
+@pytest.mark.gl
 def test_bytes_of_each_set_are_told(ctx):
     """Two arrays of eight layers of four bytes, and a third more for their mip levels."""
     textures = Textures(ctx)

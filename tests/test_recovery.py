@@ -13,11 +13,12 @@ from coasts import make_beach
 from shorewright.app import recovery, recovery_record
 from shorewright.app.invariants import broken
 from shorewright.app.recovery import RecoveryLog
-from shorewright.app.recovery_offer import offers
+from shorewright.app.recovery_offer import changes_of, offers
 from shorewright.app.session import Session
 from shorewright.io import read_level
 from shorewright.level import Rect
 from shorewright.level.objects import Camera
+from shorewright.level.water_optics import absorption
 
 
 def print_of(session):
@@ -250,6 +251,20 @@ def test_records_come_back_bit_for_bit():
         for tile, values in tiles.items():
             assert again.tiles[layer][tile].tobytes() == values.tobytes()
     assert again.ground.base.tobytes() == change.ground.base.tobytes()
+
+
+def test_a_log_of_an_older_version_is_brought_forward(tmp_path):
+    """L07: absorption was a total in version 1 of levels, and is in logs of that time."""
+    change = recovery_record.everything(make_beach(), "all")
+    older = change.settings.model_dump(mode="json")
+    older["water"] = {"absorb_red": 0.40, "absorb_green": 0.075, "absorb_blue": 0.045}
+    header, payload = recovery_record.read(io.BytesIO(recovery_record.encode(change)))
+    log = tmp_path / "log"
+    start = recovery_record.framed({"kind": "start", "version": 1, "folder": None, "fingerprint": None})
+    log.write_bytes(start + recovery_record.framed({**header, "settings": older}, payload))
+    with open(log, "rb") as file:
+        (again,) = changes_of(file)
+    assert absorption(again.settings.water) == pytest.approx([0.40, 0.075, 0.045])
 
 
 def test_a_log_keeps_its_order_under_load(folder, root):

@@ -213,3 +213,28 @@ def test_camera_matrices_agree_with_their_rays():
 def test_gl_is_left_without_errors(renderer, ctx):
     render(coast(), camera(), SIZE, renderer=renderer, samples=2)
     assert ctx.error == "GL_NO_ERROR"
+
+
+def test_a_released_renderer_can_draw_again(ctx):
+    """It gives everything back, twice if asked, and what it draws next is what it drew."""
+    made, level = Renderer(ctx), coast()
+    first = render(level, camera(), SIZE, 2.0, renderer=made)
+    made.release()
+    made.release()
+    assert np.array_equal(first, render(level, camera(), SIZE, 2.0, renderer=made))
+    made.release()
+
+
+def test_night_falls_without_a_step(renderer):
+    """L02: as the sun sinks far below the horizon no wave lights up: neighbouring pictures differ by little."""
+    level, means = coast(), []
+    for elevation in np.arange(-19.0, -22.0, -0.25):
+        level.set("light.sun_from", "date")
+        level.set("light.month", 3)
+        level.set("light.day", 20)
+        level.set("light.latitude_deg", 0.0)
+        level.set("light.longitude_deg", 0.0)
+        level.set("light.hour", 18.12 - elevation / 15.0)
+        means.append(render(level, camera(pitch=-12), SIZE, 5.0, linear=True, renderer=renderer).mean())
+    steps = np.abs(np.diff(means)) / means[:-1]
+    assert steps.max() < 0.02

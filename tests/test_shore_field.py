@@ -376,3 +376,12 @@ def test_views_show_the_field(ctx):
     assert np.abs(slice_m[..., 0][inside] - 0.08 * inland)[low].max() < 0.03
     np.testing.assert_allclose(toward[inside][clear][:, :2], [[0.5, 1.0]] * clear.sum(), atol=0.02)
     renderer.release()
+
+
+@pytest.mark.parametrize(("shape", "cell_m"), [((2, 2), 0.25), ((2, 900), 1.0), ((3, 3), 0.1), ((900, 3), 0.2)])
+def test_thin_levels_keep_both_sides(shape, cell_m):
+    """H11: a level of two rows, or far finer than the field, has a field all the same."""
+    height = np.linspace(-1, 1, shape[1], dtype=np.float32) * np.ones((shape[0], 1), np.float32)
+    field = shore_field(level_of(height, cell_m))
+    assert min(field.packed.shape[:2]) >= 2
+    assert np.isfinite(decode_distance_m(field.packed[..., 0], field.range_m)).all()
