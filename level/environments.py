@@ -39,7 +39,7 @@ ENVIRONMENTS: dict[str, Environment] = {
     row.name: row
     for row in (
         _row("noon", "Noon", "High sun, clear air, a breeze.", (205.0, 56.0), 14.5),
-        _row("golden_hour", "Golden hour", "The sun a hand above the sea, long shadows.", (252.0, 7.5), 11.9,
+        _row("golden_hour", "Golden hour", "The sun a hand above the sea, long shadows.", (252.0, 7.5), 12.0,
              turbidity=3.2, wind_mps=3.0),
         _row("overcast", "Overcast", "A closed sheet of cloud: soft light, no shadows.", (205.0, 48.0), 12.4,
              clouds=(1.0, 22.0), fog=(0.00005, 500.0), white_k=6000, wind_mps=7.0),

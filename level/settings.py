@@ -98,7 +98,7 @@ class Light(Section):
     sun_azimuth_deg: float = param(235.0, 0, 360, "°", "Where the sun stands, clockwise from north.")
     sun_elevation_deg: float = param(38.0, -20, 90, "°", "How high the sun stands.", soft=(2, 80))
     month: int = param(6, 1, 12, "", "Month of the date.")
-    day: int = param(21, 1, 31, "", "Day of the month.")
+    day: int = param(21, 1, 31, "", "Day of the month; past its end, its last day.")
     hour: float = param(15.0, 0, 24, "h", "Time of day on the place's clock.")
     utc_offset_h: float = param(0.0, -14, 14, "h", "How far that clock is ahead of UTC.")
     latitude_deg: float = param(50.4, -90, 90, "°", "Latitude of the place, north positive.")

@@ -124,6 +124,7 @@ def look_uniforms(settings: Settings, time_s: float) -> dict[str, float | np.nda
         "u_sun_direction": sun_direction(*light_angles(light)).astype(np.float32),
         **{f"u_{name}": value.astype(np.float32) for name, value in _sky(sky).items()},
         "u_fog_share": sky.fog_share,
+        "u_cirrus": float(not sky.even),
         "u_star_light": STAR_LIGHT * sky.unit if sky.unit > 1 else 0.0,
         "u_exposure": exposure_scale(light.exposure_ev) / sky.unit,
         "u_white": white_balance(light.white_k).astype(np.float32),

@@ -38,7 +38,7 @@ def render(
     if output.suffix.lower() not in SUFFIXES:
         raise BadInput(f"{output.name} is no picture that can be written: end it in {' or '.join(SUFFIXES)}")
     options = {"size": size(size_text), "view": view, "quality": quality}
-    options["samples"] = int(finite(samples, "--samples", 1, 4096))
+    options["samples"] = int(finite(samples, "--samples", 1, 1024))
     times = _times(time, frames, fps)
     writable_parent(output)
     found = _level(level, environment, assignments)

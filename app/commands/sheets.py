@@ -44,7 +44,7 @@ def sheet(
         raise BadInput(f"{output.name} is no picture that a sheet can be: end it in {' or '.join(SUFFIXES)}")
     cell, time_s = size(size_text), finite(time, "--time", 0, 1e9)
     options = {"size": cell, "time_s": time_s, "view": view, "quality": quality, **look(view, hide)}
-    options["samples"] = int(finite(samples, "--samples", 1, 4096))
+    options["samples"] = int(finite(samples, "--samples", 1, 1024))
     writable_parent(output)
     skies = _environments(words(environments))
     shots = [shot for path in dict.fromkeys(levels) for shot in _shots(path, words(cameras), assignments)]

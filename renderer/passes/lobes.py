@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..frame import Frame
+from ..uniforms import set_uniforms
 
 SIZES = (192, 64, 32, 32, 16, 16)  # lib/lobes.glsl has the same
 GROUND_ALBEDO = 0.13  # of what lies below the horizon: half sea, half land
@@ -48,7 +49,7 @@ def _make(frame: Frame, lobes: Lobes, shader, cirrus: float) -> None:
     down = c[0] * 0.282095 + c[2] * 0.488603 + c[6] * 0.630784 + light.sun * max(float(direction[2]), 0.0)
     ground = np.ones(3) if light.even else down * GROUND_ALBEDO / np.pi
     shader.program["u_ground_radiance"].value = tuple(float(v) for v in ground)
-    shader.program["u_cirrus"].value = cirrus
+    set_uniforms(shader.program, {"u_cirrus": cirrus})
     top = 0
     for level, size in enumerate(SIZES):
         lobes.framebuffer.use()

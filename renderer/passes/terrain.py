@@ -46,7 +46,7 @@ def terrain_view(level: Level, bounds: HeightBounds, tier: Tier, matrices: Matri
             spare = OVERSHOOT * (highest - lowest) + 0.5 * relief_m
             lowest, highest = lowest - spare, highest + spare
         beyond = (col0 < 0) | (row0 < 0) | (col1 > grid.cols - 1) | (row1 > grid.rows - 1)
-        return np.where(beyond, np.minimum(lowest, floor), lowest), highest
+        return np.where(beyond, min(low, floor), lowest), np.where(beyond, high, highest)
 
     lod = Lod(
         grid.cell_m / 2**fine,

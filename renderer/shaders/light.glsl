@@ -19,7 +19,7 @@ const vec3 LAND_BOUNCE = vec3(1.0);  // the furnace: everything gives back all l
 vec3 coast_radiance() { return vec3(1.0); }
 #else
 const vec3 LAND_BOUNCE = vec3(0.17, 0.155, 0.13);  // albedo of land, half of it in the sun
-vec3 coast_radiance() { return (sky_irradiance(vec3(0.0, 0.0, 1.0)) + 0.35 * sun_radiance()) * 0.045; }
+vec3 coast_radiance() { return (sky_irradiance(vec3(0.0, 0.0, 1.0)) + 0.35 * sun_radiance()) * (0.3 * LAND_BOUNCE); }
 #endif
 
 void main() {
@@ -43,8 +43,8 @@ void main() {
     vec3 bounce = up * LAND_BOUNCE * u_light_bounce * (1.0 - s.open);
     vec3 ambient = sky_irradiance(s.normal) * s.open + bounce;
     vec3 mirrored = sky_lobe(mirror, s.roughness) * s.open + bounce / PI;
-    if (s.roughness < (s.material == SEA ? 0.6 : 0.15)) {
-        // the coast in the water and in the film on the sand, as bright as land of a middling albedo
+    if (s.material == SEA && s.roughness < 0.6) {
+        // the coast in the water, as bright as land of a middling albedo
         float coast = land_in_mirror(u_camera + relative, normalize(vec3(mirror.xy, max(mirror.z, 0.02))));
         mirrored = mix(mirrored, coast_radiance(), coast);
     }

@@ -1,5 +1,6 @@
 // The ground from the height texture, read with texelFetch: texture units keep too few bits of the fraction.
-// Beyond the level the border's height goes on and sinks below the sea, so that no slab is seen.
+// Beyond the level the land goes on as its mirror image and sinks below the sea: no slab, no furrows. Where the border is
+// sea no mirrored land rises from it.
 
 uniform sampler2D u_height;
 uniform float u_cell_m;
@@ -7,11 +8,15 @@ uniform float u_still_m;  // the still sea
 uniform vec2 u_apron;     // how far the land goes on beyond the border, how deep it sinks on the way, metres
 
 float height_texel(ivec2 cell) {
-    ivec2 inside = clamp(cell, ivec2(0), textureSize(u_height, 0) - 1);
+    ivec2 last = textureSize(u_height, 0) - 1;
+    ivec2 inside = clamp(cell, ivec2(0), last);
     float height = texelFetch(u_height, inside, 0).r;
     ivec2 off = cell - inside;
     if (off != ivec2(0)) {
         float out_m = length(vec2(off)) * u_cell_m;
+        float mirrored = texelFetch(u_height, clamp(abs(last - abs(last - cell)), ivec2(0), last), 0).r;
+        float most = height + out_m * smoothstep(0.0, 2.5, height - u_still_m);
+        height = min(mirrored, most);
         height = mix(height, min(height, u_still_m - u_apron.y), smoothstep(0.15 * u_apron.x, u_apron.x, out_m));
     }
     return height;

@@ -60,5 +60,7 @@ float sun_visibility(vec3 position) {
     vec2 at = clamp(position.xy / u_extent_m, 0.0, 1.0) * (size - 1.0) + 0.5;
     vec2 shadow = textureLod(u_shadow, at / size, 0.0).rg;
     float soft = 0.02 + 0.12 * u_shadow_cell_m + u_shadow_spread * shadow.y;
-    return smoothstep(-soft, soft, position.z - shadow.x) * prop_visibility(position);
+    // the map ends with the level: its shadows fade out before, so that the border isn't drawn by them
+    float within = smoothstep(0.0, min(12.0, 0.05 * min(u_extent_m.x, u_extent_m.y)), -max(outside.x, outside.y));
+    return mix(1.0, smoothstep(-soft, soft, position.z - shadow.x), within) * prop_visibility(position);
 }

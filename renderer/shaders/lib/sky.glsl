@@ -56,11 +56,15 @@ vec2 deck_structure(vec3 dir) {
     vec4 fine = textureLod(u_noise, bent * 5.7 + 0.01 * (puff.rg - 0.5), 0.5 + blur);
     float field = 0.50 * broad.r + 0.27 * cell.r + 0.15 * puff.r + 0.08 * fine.r;
     float thick = smoothstep(0.24, 0.76, field);  // spread again: the mean of even fields crowds in the middle
-    float clear = 1.0 - u_light_cloud_cover;
-    float cover = smoothstep(clear - 0.10, clear + 0.08, mix(thick, 1.02, smoothstep(0.9, 1.0, u_light_cloud_cover)));
+    float clear = 1.0 - u_light_cloud_cover, closed = smoothstep(0.85, 1.0, u_light_cloud_cover);
+    // rims are torn by the finer billows, and the further in from them the deeper is the cloud
+    float torn = thick + (0.22 * (puff.r - 0.5) + 0.16 * (0.5 - puff.a) + 0.14 * (fine.g - 0.5)) * (1.0 - closed);
+    float cover = mix(smoothstep(clear - 0.10, clear + 0.12, torn), 1.0, closed);
+    float inner = clamp((torn - clear) / max(u_light_cloud_cover, 0.2), 0.0, 1.0);
     float depth = smoothstep(3.0, 70.0, u_light_cloud_depth);
     float billow = 0.55 * (0.5 - puff.a) + 0.30 * (0.5 - fine.a) + 0.35 * (puff.g - 0.5);
-    float bright = exp2(mix(0.8, 3.4, depth) * (0.45 - thick)) * (1.0 + mix(0.20, 0.75, depth) * billow);
+    float contrast = mix(0.8, 3.4, depth) * mix(0.45, 1.0, closed);  // from all sides light comes into a lone cloud
+    float bright = exp2(contrast * (0.45 - inner)) * (1.0 + mix(0.20, 0.75, depth) * billow);
     float seen = smoothstep(0.0, 0.10, low);
     return vec2(mix(u_light_cloud_cover, cover, smoothstep(0.0, 0.08, low)), mix(1.0, clamp(bright, 0.2, 2.2), seen));
 }
@@ -84,18 +88,28 @@ vec3 sky_cirrus(vec3 dir) {
 
 uniform float u_star_light;  // radiance of the brightest, 0 by day
 
-// Stars in cells of an octahedron's faces, each twice the size of a pixel at most, dimmer ones far more often.
+// Hash of a cell to three numbers 0 … 1 (Jarzynski & Olano 2020, pcg3d).
+vec3 cell_hash(ivec2 cell) {
+    uvec3 v = uvec3(uint(cell.x), uint(cell.y), 77u) * 1664525u + 1013904223u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
+    v ^= v >> 16u;
+    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
+    return vec3(v >> 8u) / 16777216.0;
+}
+
+// A star somewhere in each cell of a map of the upper half of the sky, dim ones far more often than bright ones.
 vec3 sky_stars(vec3 dir, float pixel_angle) {
     if (u_star_light <= 0.0 || dir.z < 0.02) return vec3(0.0);
-    vec2 at = dir.xy / (1.0 + dir.z) * 140.0, cell = floor(at);
-    vec3 h = fract(sin(vec3(dot(cell, vec2(127.1, 311.7)), dot(cell, vec2(269.5, 183.3)), dot(cell, vec2(41.3, 289.1))))
-                   * 43758.5453);
-    vec2 off = (at - cell - 0.25 - 0.5 * h.xy) * ((1.0 + dir.z * dir.z) / 280.0 * 2.0);
-    float size = max(0.9 * pixel_angle, 0.0004);
+    const float CELLS = 90.0, MARGIN = 0.12;
+    vec2 at = dir.xy / (1.0 + dir.z) * CELLS;
+    ivec2 cell = ivec2(floor(at));
+    vec3 place = cell_hash(cell), kind = cell_hash(cell + 4096);
+    vec2 off = (at - vec2(cell) - MARGIN - (1.0 - 2.0 * MARGIN) * place.xy) * ((1.0 + dir.z) / CELLS);
+    float size = max(0.6 * pixel_angle, 0.0004);
     float spot = exp(-dot(off, off) / (size * size)) * (0.0004 * 0.0004) / (size * size);
-    float bright = pow(h.z, 36.0);  // a magnitude less, three times as many
-    return vec3(mix(1.2, 0.8, h.x), 1.0, mix(0.75, 1.3, h.x)) * (u_star_light * spot * bright)
-           * smoothstep(0.02, 0.25, dir.z);
+    float bright = pow(kind.x, 14.0) * step(0.35, kind.z);
+    return mix(vec3(1.25, 1.0, 0.75), vec3(0.8, 0.95, 1.3), kind.y) * (u_star_light * spot * bright)
+           * smoothstep(0.02, 0.35, dir.z);
 }
 
 // The sky as it is seen and mirrored, disc excepted; `cirrus` 0 or 1.
