@@ -13,9 +13,15 @@ uniform sampler2D u_layer_cover;
 // Painted borders follow the ground, not the cells.
 vec2 torn_at(vec2 xy, float pixel_m) { return (noise_at(xy, 9.0, pixel_m).gb - 0.5) * 1.4; }
 
+// Beyond the level maps are mirrored as the heights are (lib/height.glsl).
+vec2 mirrored(vec2 xy) {
+    vec2 extent = vec2(textureSize(u_height, 0) - 1) * u_cell_m;
+    return extent - abs(extent - abs(xy));
+}
+
 Site terrain_site(vec2 xy, vec3 normal, float height, vec2 torn, float pixel_m) {
-    Openness sky = openness_at(xy + 0.8 * torn);
-    vec4 cover = layer_at(u_layer_cover, xy + torn, u_cell_m);
+    Openness sky = openness_at(mirrored(xy + 0.8 * torn));
+    vec4 cover = layer_at(u_layer_cover, mirrored(xy + torn), u_cell_m);
     return site_at(xy, normal, height, sky.rough, sky.open, cover, pixel_m);
 }
 

@@ -7,6 +7,9 @@ uniform float u_cell_m;
 uniform float u_still_m;  // the still sea
 uniform vec2 u_apron;     // how far the land goes on beyond the border, how deep it sinks on the way, metres
 
+// A sample's mirror image in the level.
+ivec2 mirrored_cell(ivec2 cell, ivec2 last) { return clamp(abs(last - abs(last - cell)), ivec2(0), last); }
+
 float height_texel(ivec2 cell) {
     ivec2 last = textureSize(u_height, 0) - 1;
     ivec2 inside = clamp(cell, ivec2(0), last);
@@ -14,7 +17,7 @@ float height_texel(ivec2 cell) {
     ivec2 off = cell - inside;
     if (off != ivec2(0)) {
         float out_m = length(vec2(off)) * u_cell_m;
-        float mirrored = texelFetch(u_height, clamp(abs(last - abs(last - cell)), ivec2(0), last), 0).r;
+        float mirrored = texelFetch(u_height, mirrored_cell(cell, last), 0).r;
         float most = height + out_m * smoothstep(0.0, 2.5, height - u_still_m);
         height = min(mirrored, most);
         height = mix(height, min(height, u_still_m - u_apron.y), smoothstep(0.15 * u_apron.x, u_apron.x, out_m));
@@ -36,13 +39,13 @@ vec3 ground_sample(vec2 xy) {
 
 vec3 ground_normal(vec2 slope) { return normalize(vec3(-slope, 1.0)); }
 
-// Sixteen heights round a cell, `stride` cells apart, [column][row], its own at [1][1]; the border's beyond the border.
+// Sixteen heights round a cell, `stride` cells apart, [column][row], its own at [1][1]; mirror images beyond the border.
 mat4 heights_round(ivec2 cell, int stride) {
     ivec2 last = textureSize(u_height, 0) - 1;
     mat4 h;
     for (int i = 0; i < 4; ++i)
         for (int j = 0; j < 4; ++j)
-            h[i][j] = texelFetch(u_height, clamp(cell + ivec2(i - 1, j - 1) * stride, ivec2(0), last), 0).r;
+            h[i][j] = texelFetch(u_height, mirrored_cell(cell + ivec2(i - 1, j - 1) * stride, last), 0).r;
     return h;
 }
 
