@@ -103,8 +103,9 @@ def _drop(level: Level, tiles: Tiles, rect: Rect, reach_m: float) -> None:
     reach_m += 2 * cell_m  # gradients look at the neighbours
     touched = set(tiles_within(level, rect.col0 * cell_m - reach_m, rect.row0 * cell_m - reach_m,
                                rect.col1 * cell_m + reach_m, rect.row1 * cell_m + reach_m))  # fmt: skip
-    for tile in touched:
-        tiles.ranges.pop(tile, None)
+    for tile in touched & tiles.ranges.keys():  # what was out of sight may come into it
+        del tiles.ranges[tile]
+        tiles.changes += 1
     for known in [known for known in tiles.held if known[1:] in touched]:
         del tiles.held[known]
         tiles.changes += 1

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..level import Level
-from ..level.scatter import EMPTY, TILE_M, scatter_tiles, sync, tile_ranges, tiles_within
+from ..level.scatter import EMPTY, TILE_M, Tiles, scatter_tiles, sync, tile_ranges, tiles_within
 from ..level.scatter_kinds import SCATTER, Kind
 from ..level.scatter_meshes import MESHES, mesh
 from .quality import Tier
@@ -157,18 +157,19 @@ class Batch:
         self.ctx = ctx
         self.meshes = meshes
         self.key: tuple | None = None
-        self.source: object = None
+        self.source: Tiles | None = None
         self.counts: dict[tuple[str, int, int], int] = {}
         self.buffers: dict[tuple[str, int, int], object] = {}
         self.arrays: dict[tuple, object] = {}
 
     def fresh(self, level: Level, *key) -> bool:
         """Whether what is held was gathered for this level as it is, and this key."""
-        return self.source is level.derived and self.key == (sync(level).changes, *key)
+        tiles = sync(level)
+        return self.source is tiles and self.key == (tiles.changes, *key)
 
     def fill(self, level: Level, groups: Groups, *key) -> int:
         """Send groups; returns the bytes."""
-        self.source, self.counts = level.derived, {}
+        self.source, self.counts = sync(level), {}
         for name, rows in groups.items():
             if name not in self.buffers:
                 self.buffers[name] = self.ctx.buffer(reserve=max(rows.nbytes, 4 * FLOATS), dynamic=True)
@@ -177,7 +178,7 @@ class Batch:
                 buffer.orphan(2 * rows.nbytes)
             buffer.write(np.ascontiguousarray(rows).tobytes())
             self.counts[name] = len(rows)
-        self.key = sync(level).changes, *key
+        self.key = self.source.changes, *key
         return sum(rows.nbytes for rows in groups.values())
 
     def draw(self, shaders) -> tuple[int, int]:

@@ -108,6 +108,16 @@ def test_a_change_makes_again_only_what_it_touches_and_as_a_new_level_would(laye
     assert any(everything(fresh)[name] != everything(coast())[name] for name in SCATTER)
 
 
+def test_ground_that_was_only_looked_at_counts_as_changed_too():
+    """L09: a tile out of sight has heights and no instances; when it rises into sight, pictures must notice."""
+    level = coast()
+    low = placing.tile_ranges(level, [(3, 3)])
+    before = sync(level).changes
+    level.write("height", Rect(100, 100, 110, 110), 90.0)
+    assert sync(level).changes > before
+    assert placing.tile_ranges(level, [(3, 3)])[0, 1] == 90.0 > low[0, 1]
+
+
 def test_rules(placed):
     """No rocks in deep water, no grass in the swash or on walls, driftwood on the strand line."""
     level, found = placed

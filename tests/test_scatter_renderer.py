@@ -2,17 +2,18 @@
 
 import numpy as np
 import pytest
+from shorewright.app.session import Session
 from shorewright.brushes import BRUSHES, Stroke
 from shorewright.level import Grid, Journal, Level, Rect
 from shorewright.level.objects import Camera
 from shorewright.level.scatter import INSTANCE
 from shorewright.level.scatter_kinds import SCATTER
 from shorewright.level.scatter_meshes import mesh
-from shorewright.renderer import Show, render
+from shorewright.renderer import Renderer, Show, render
 from shorewright.renderer import scatter as gathering
 from shorewright.renderer.camera import camera_matrices
 from shorewright.renderer.quality import TIERS
-from test_scatter import coast
+from test_scatter import SIDE, coast
 
 pytestmark = pytest.mark.gl
 SIZE = (160, 90)
@@ -58,6 +59,33 @@ def test_a_still_camera_sends_nothing_again(renderer, draw):
     level.write("scatter", Rect(140, 140, 150, 150), 1.0)
     draw(level)
     assert renderer.uploader.sent["scatter"] > sent[0]
+
+
+def crop_and_back(level):
+    session = Session(level)
+    session.crop(20, 10, 230, 240)
+    yield
+    session.undo()
+    yield
+    session.close()
+
+
+def taken_anew(level):
+    level.reset(Grid(SIDE, SIDE), np.ascontiguousarray(level.height[:, ::-1]))
+    yield
+
+
+@pytest.mark.parametrize("change", [crop_and_back, taken_anew])
+@pytest.mark.parametrize("view", ["position", "prop_shadow"])
+def test_another_grid_leaves_nothing_of_what_lay_on_the_last(ctx, renderer, draw, change, view):
+    """L09, T08: import, crop, resize and recovery put another coast under the same level."""
+    level = coast()
+    draw(level, view)
+    for _ in change(level):
+        fresh = Renderer(ctx)
+        expected = render(level, EYE, SIZE, 3.0, view, DRY, "medium", renderer=fresh)
+        fresh.release()
+        assert np.array_equal(draw(level, view), expected)
 
 
 def feet(groups) -> set:
