@@ -183,6 +183,23 @@ def test_a_lit_face_is_not_in_its_own_shadow(draw, monkeypatch):
     assert lit[..., 0][facing].mean() > 0.98
 
 
+@pytest.mark.parametrize(("ground", "sea_m"), [(4, 0), (60, 0), (300, 0), (4, 500), (4, -500), (-30, 0)])
+def test_things_throw_the_same_shadow_however_far_the_sea_is_below_or_above(draw, monkeypatch, ground, sea_m):
+    """L03: heights in the map count from the still sea, and the squares follow the ground."""
+    level = one_rock(monkeypatch, ground=ground)
+    level.set("level.sea_level_m", sea_m)
+    level.set("light.sun_azimuth_deg", 180.0)
+    level.set("light.sun_elevation_deg", 45.0)
+    lit = draw(level, "prop_shadow", above(ground=ground), (240, 240), linear=True)[..., 0]
+    as_usual = one_rock(monkeypatch)
+    as_usual.set("light.sun_azimuth_deg", 180.0)
+    as_usual.set("light.sun_elevation_deg", 45.0)
+    expected = draw(as_usual, "prop_shadow", above(), (240, 240), linear=True)[..., 0]
+    dark = (lit < 0.5).sum(), (expected < 0.5).sum()
+    assert dark[1] > 150
+    assert abs(dark[0] - dark[1]) < 0.15 * dark[1]
+
+
 def test_shadows_off_and_low_sun_leave_everything_lit(draw, monkeypatch):
     level = one_rock(monkeypatch)
     assert draw(level, "prop_shadow", above(), linear=True).min() < 0.1
