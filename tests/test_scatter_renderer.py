@@ -1,9 +1,12 @@
 """Scattered things in the picture: stateless wind, tiers, culling, their shadows and dark feet (L09, L03)."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from shorewright.app.session import Session
 from shorewright.brushes import BRUSHES, Stroke
+from shorewright.io import read_level
 from shorewright.level import Grid, Journal, Level, Rect
 from shorewright.level.objects import Camera
 from shorewright.level.scatter import INSTANCE
@@ -235,3 +238,14 @@ def test_the_view_of_kinds_shows_their_colours(draw):
     seen = draw(level, "scatter", linear=True).reshape(-1, 3)
     shown = [name for name, kind in SCATTER.items() if (np.abs(seen - kind.colour).max(axis=1) < 0.02).any()]
     assert len(shown) >= 3
+
+
+def test_without_things_the_view_of_kinds_is_grey(draw):
+    """L09: the lace that the waves leave on the sand is no kind."""
+    level = read_level(Path(__file__).parents[1] / "sample_levels" / "cove.shore")
+    beach, moments = level.camera("beach"), (2.0, 6.0, 10.0, 14.0)
+    assert max(draw(level, "lace", beach, show=Show(), time_s=t, linear=True).max() for t in moments) > 0.5
+    level.set("scatter.on", False)
+    for moment in moments:
+        seen = draw(level, "scatter", beach, show=Show(), time_s=moment, linear=True)
+        assert np.ptp(seen, axis=-1).max() == 0

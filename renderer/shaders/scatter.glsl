@@ -1,5 +1,5 @@
-// Scattered things into the G-buffer (L09): ROCK, WOOD or GRASS says of what they are. With MARK: the kind's number in
-// place of foam, for the view of kinds.
+// Scattered things into the G-buffer (L09): ROCK, WOOD or GRASS says of what they are. With MARK: the kind's colour as
+// light, for the view of kinds.
 #include "lib/frame.glsl"
 
 #ifdef VERTEX
@@ -132,12 +132,11 @@ void main() {
     thing.albedo *= mix(vec3(1.0), vec3(0.46, 0.46, 0.45), damp * porous * smoothstep(-0.5, -0.1, height));
     thing.roughness = mix(thing.roughness, 0.35, damp);
 #endif
-    float mark = 0.0;
+    vec3 shown = vec3(0.0);
 #ifdef MARK
-    thing.albedo = u_kind_colour;
-    mark = 1.0;
+    shown = u_kind_colour;
 #endif
-    write_gbuffer(Surface(thing.albedo, thing.open * v_look.y, thing.normal, thing.roughness, SPECULAR, LAND, mark, damp,
-                          vec3(0.0), eye_depth_of(v_relative), position.xy));
+    write_gbuffer(Surface(thing.albedo, thing.open * v_look.y, thing.normal, thing.roughness, SPECULAR, LAND, 0.0, damp,
+                          shown, eye_depth_of(v_relative), position.xy));
 }
 #endif
