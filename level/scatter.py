@@ -16,6 +16,7 @@ from .errors import BadInput
 from .grid import Rect
 from .level import Level
 from .noise import lattice
+from .params import get
 from .pick import ground_at
 from .scatter_kinds import SCATTER, Kind, Place
 from .scatter_meshes import variants
@@ -25,6 +26,9 @@ FOOT_M = (3.0, 8.0)  # rings on which the ground round a place is looked at
 LOOK_M = 10.0  # so far a change of the ground is felt
 TURNS = tuple((np.cos(a), np.sin(a)) for a in np.arange(8) * np.pi / 4)
 LAYERS_READ = {"height": LOOK_M, "cover": 0.0, "scatter": 0.0}
+SETTINGS_READ = ("level.seed", "level.sea_level_m", "ground.sand_top_m", "ground.rock_slope_deg",
+                 "ground.grass_slope_deg", "ground.shingle", "shore.range_m", "shore.runup", "scatter.rocks",
+                 "scatter.driftwood", "scatter.grass", "scatter.size")  # fmt: skip
 FIELDS = ("x", "y", "z", "scale", "yaw", "normal_x", "normal_y", "tint", "open", "rank", "variant")
 INSTANCE = np.dtype([(name, np.float32) for name in FIELDS])
 EMPTY = np.empty(0, INSTANCE)
@@ -83,8 +87,7 @@ def scatter_tiles(level: Level, kind: str, tiles: list[tuple[int, int]]) -> dict
 def sync(level: Level) -> Tiles:
     """The level's tiles, without those that a change has touched."""
     s = level.settings
-    key = (s.level, s.ground, s.shore.range_m, s.shore.runup, s.scatter.rocks, s.scatter.driftwood, s.scatter.grass,
-           s.scatter.size)  # fmt: skip
+    key = tuple(get(s, path) for path in SETTINGS_READ)
     tiles: Tiles = level.derived.setdefault("scatter", Tiles())
     if tiles.key != key:
         tiles.held.clear()

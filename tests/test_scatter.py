@@ -5,9 +5,11 @@ import pytest
 from shorewright.brushes import BRUSHES, Stroke
 from shorewright.level import BadInput, Grid, Journal, Level, Rect
 from shorewright.level import scatter as placing
+from shorewright.level.params import describe
 from shorewright.level.scatter import TILE_M, scatter_instances, scatter_tiles, sync, tiles_within
 from shorewright.level.scatter_kinds import SCATTER
 from shorewright.level.scatter_meshes import MESHES, mesh
+from shorewright.level.settings import Settings
 
 SIDE = 257
 FULL = {"rocks": 1.5, "driftwood": 1.5, "grass": 1.5}
@@ -116,6 +118,29 @@ def test_ground_that_was_only_looked_at_counts_as_changed_too():
     level.write("height", Rect(100, 100, 110, 110), 90.0)
     assert sync(level).changes > before
     assert placing.tile_ranges(level, [(3, 3)])[0, 1] == 90.0 > low[0, 1]
+
+
+ROWS = [row for row in describe(Settings) if row.name.split(".")[0] in ("level", "ground", "shore", "scatter")]
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: row.name)
+def test_settings_make_again_what_reads_them_and_nothing_else_does(row):
+    """L09: a slider of the ground's look leaves the tiles; one that a rule reads doesn't leave old ones."""
+    value = row.default
+    other = not value if row.kind == "bool" else 0.5 * (value + row.low) if row.low < value else 0.5 * row.high
+    other = int(other) if row.kind == "int" else other
+    level, fresh = coast(), coast()
+    area = Rect(40, 90, 170, 180)
+    before = {name: scatter_instances(level, name, area) for name in SCATTER}
+    tiles = dict(sync(level).held)
+    level.set(row.name, other)
+    fresh.set(row.name, other)
+    held, read = sync(level).held, row.name in placing.SETTINGS_READ
+    assert set(held) == (set() if read else set(tiles))
+    assert all(held[key] is tiles[key] for key in held)
+    after = {name: scatter_instances(fresh, name, area) for name in SCATTER}
+    same = all(before[name].tobytes() == after[name].tobytes() for name in SCATTER)
+    assert same != read
 
 
 def test_rules(placed):
