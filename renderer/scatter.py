@@ -19,6 +19,7 @@ from .quality import Tier
 FADE = 0.2  # last part of its distance over which a thing shrinks away
 SPAN_M = 6.0  # how far a thing reaches past its tile
 LEAST_PX = 0.9  # smaller ones are left out
+MOST_SMALL_M = 240.0  # what lies close together is drawn no farther off: tiles of it take milliseconds each to make
 DETAIL_PX = {
     "rock": (50, 12),
     "grass": (58, 22),
@@ -42,7 +43,8 @@ Groups = dict[tuple[str, int, int], np.ndarray]  # (kind, variant, detail) → f
 
 def reach_m(level: Level, kind: Kind, tier: Tier) -> float:
     """How far off the largest of a kind is drawn."""
-    return level.settings.scatter.distance_m * kind.reach * tier.scatter_reach
+    far = level.settings.scatter.distance_m * tier.scatter_reach
+    return (min(far, MOST_SMALL_M) if kind.spacing_m < 2.0 else far) * kind.reach
 
 
 def gather(level: Level, eye: Eye, tier: Tier, reached: dict[str, float] | None = None) -> Groups:
@@ -50,7 +52,9 @@ def gather(level: Level, eye: Eye, tier: Tier, reached: dict[str, float] | None 
     groups: Groups = {}
     for name, kind in SCATTER.items():
         far = reach_m(level, kind, tier) if reached is None else reached.get(name, 0.0)
-        found = near(level, name, eye, far)
+        # none of the kind is large enough to be seen farther off
+        seen_m = kind.size_m[1] * level.settings.scatter.size / (eye.pixel * LEAST_PX) if eye.pixel else far
+        found = near(level, name, eye, min(far, seen_m))
         found = found[found["rank"] < tier.scatter_share] if kind.channel == "grass" else found
         if len(found):
             _group(groups, kind, found, eye, far)

@@ -9,9 +9,11 @@ from shorewright.brushes import BRUSHES, Stroke
 from shorewright.io import read_level
 from shorewright.level import Grid, Journal, Level, Rect
 from shorewright.level.objects import Camera
+from shorewright.level.params import describe
 from shorewright.level.scatter import INSTANCE
 from shorewright.level.scatter_kinds import SCATTER
 from shorewright.level.scatter_meshes import mesh
+from shorewright.level.settings import Settings
 from shorewright.renderer import Renderer, Show, render
 from shorewright.renderer import scatter as gathering
 from shorewright.renderer.camera import camera_matrices
@@ -121,6 +123,27 @@ def test_culling_drops_nothing_that_is_seen(draw, monkeypatch, yaw):
     level.set("scatter.distance_m", level.settings.scatter.distance_m * (1 + 1e-12))
     assert np.array_equal(culled, draw(level, "position", camera, linear=True))
     assert count
+
+
+@pytest.mark.parametrize("quality", TIERS)
+def test_the_longest_distance_asks_for_a_bounded_number_of_places(quality):
+    """L09: at the longest distance, from above over land without end; places are what making tiles costs."""
+    level = coast()
+    level.set("scatter.distance_m", next(r for r in describe(Settings) if r.name == "scatter.distance_m").high)
+    places = 0.0
+    for kind in SCATTER.values():
+        places += np.pi * gathering.reach_m(level, kind, TIERS[quality]) ** 2 / kind.spacing_m**2
+    assert places < 3e6
+
+
+def test_what_is_too_small_to_see_is_not_made():
+    """L09: a coarse picture leaves tiles alone that a fine one needs, and both leave out no visible thing."""
+    made = []
+    for pixel in (0.01, 0.001):
+        level = coast()
+        gathering.gather(level, gathering.Eye(np.array([128.0, 60.0, 6.0]), None, pixel), TIERS["medium"])
+        made.append({key for key in level.derived["scatter"].held if key[0] == "cobble"})
+    assert made[0] < made[1]
 
 
 def test_paint_is_seen_in_the_next_frame(renderer, draw):
