@@ -95,7 +95,8 @@ def _group(groups: Groups, kind: Kind, found: np.ndarray, eye: Eye, far: float) 
         scale = scale * np.clip((own - away) / (FADE * own), 0, 1)
     seen = away < own if eye.pixel else away < far
     if eye.planes is not None:
-        seen &= (place @ eye.planes[:, :3].T + eye.planes[:, 3] >= -1.3 * scale[:, None]).all(axis=1)
+        wide = max(1.3, kind.contact_m[0])  # of the thing and its dark foot
+        seen &= (place @ eye.planes[:, :3].T + eye.planes[:, 3] >= -wide * scale[:, None]).all(axis=1)
     place, away, scale, found = place[seen], away[seen], scale[seen], found[seen]
     rows = np.stack([*place.T, scale, np.cos(found["yaw"]), np.sin(found["yaw"]), found["normal_x"], found["normal_y"],
                      found["tint"], found["open"], found["rank"], found["scale"]], 1).astype(np.float32)  # fmt: skip

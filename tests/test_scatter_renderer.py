@@ -93,6 +93,25 @@ def test_another_grid_leaves_nothing_of_what_lay_on_the_last(ctx, renderer, draw
         assert np.array_equal(draw(level, view), expected)
 
 
+@pytest.mark.parametrize("scale", [1.0, 0.5])
+def test_all_samples_of_a_picture_draw_what_was_gathered_once(renderer, monkeypatch, scale):
+    """L09: jitter asks for nothing again, and what it moves into the picture is there: same bytes as unculled."""
+    whole, asked = gathering.gather, []
+
+    def drawn(planes: bool):
+        def counted(level, eye, tier):
+            asked.append(eye)
+            return whole(level, gathering.Eye(eye.position, eye.planes if planes else None, eye.pixel), tier)
+
+        monkeypatch.setattr("shorewright.renderer.passes.scatter.gather", counted)
+        renderer.draw(coast(), EYE, SIZE, 3.0, "final", DRY, "medium", samples=5, scale=scale)
+        return renderer.read()
+
+    culled = drawn(True)
+    assert len(asked) == 1
+    assert np.array_equal(culled, drawn(False))
+
+
 def feet(groups) -> set:
     return {(name, *row[:3].tolist()) for (name, _, _), rows in groups.items() for row in rows}
 

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ..camera import camera_matrices
 from ..frame import Frame
 from ..scatter import Batch, Eye, Meshes, contacts, gather
 from ..uniforms import set_uniforms
@@ -24,7 +25,10 @@ def held(frame: Frame) -> dict:
 
 
 def eye(frame: Frame) -> Eye:
-    return Eye(frame.matrices.position, frame.matrices.planes, frame.uniforms["u_pixel_angle"])
+    """One for all samples of a picture: without their jitter, a drawn pixel wider on each side."""
+    steady = camera_matrices(frame.camera, frame.full_size, frame.matrices.near_m)
+    steady.projection[:2] /= 1 + 2 / np.array(frame.size)[:, None]
+    return Eye(steady.position, steady.planes, frame.uniforms["u_pixel_angle"])
 
 
 def wind_uniforms(frame: Frame) -> dict:
@@ -49,11 +53,12 @@ def draw(frame: Frame) -> None:
         return
     kept, ctx = held(frame), frame.renderer.ctx
     batch, settings = kept["seen"], frame.level.settings.scatter
-    key = frame.tier.name, settings.distance_m, frame.matrices.planes.tobytes(), *frame.matrices.position, frame.size
+    seen_from = eye(frame)
+    key = frame.tier.name, settings.distance_m, seen_from.planes.tobytes(), *seen_from.position, frame.size
     if not batch.fresh(frame.level, *key):
-        groups = gather(frame.level, eye(frame), frame.tier)
+        groups = gather(frame.level, seen_from, frame.tier)
         frame.renderer.uploader.sent["scatter"] += batch.fill(frame.level, groups, *key)
-        kept["contacts"] = ContactRows(contacts(groups, eye(frame), frame.tier))
+        kept["contacts"] = ContactRows(contacts(groups, seen_from, frame.tier))
     frame.targets.gbuffer.use()
     wind, mark = wind_uniforms(frame), {"MARK": ""} if frame.view.name == "scatter" else {}
     shaders = {}
