@@ -112,6 +112,25 @@ def test_all_samples_of_a_picture_draw_what_was_gathered_once(renderer, monkeypa
     assert np.array_equal(culled, drawn(False))
 
 
+def test_moving_and_still_pictures_take_turns_without_gathering(renderer, draw):
+    """L09, L03: two tiers and sizes are kept; a third takes the place of the oldest."""
+    level, kinds = coast(), [("low", (80, 45)), ("medium", SIZE)]
+
+    def turn():
+        return [draw(level, quality=quality, size=size) for quality, size in kinds]
+
+    def sent():
+        return renderer.uploader.sent["scatter"], renderer.uploader.sent["casters"]
+
+    first, before = turn(), sent()
+    assert all(np.array_equal(a, b) for a, b in zip(first, turn(), strict=True))
+    assert sent() == before
+    for size in ((64, 36), (96, 54)):
+        draw(level, quality="high", size=size)
+    assert len(renderer.kept["scatter"]) == 4
+    assert all(np.array_equal(a, b) for a, b in zip(first, turn(), strict=True))
+
+
 def feet(groups) -> set:
     return {(name, *row[:3].tolist()) for (name, _, _), rows in groups.items() for row in rows}
 

@@ -15,7 +15,7 @@ from ...level.pick import ground_at
 from ...level.scatter_kinds import SCATTER
 from ..frame import Frame
 from ..scatter import Batch, Eye, gather
-from .scatter import held
+from .scatter import meshes, recent
 
 SMALLEST_M = 64.0  # side of the large square; twice that, and twice again, for cameras farther off
 LARGEST_M = 512.0
@@ -28,15 +28,15 @@ NIGHT = 0.01  # below this height the sun throws none
 class PropMap:
     """A depth texture, two squares wide, and what was drawn into each."""
 
-    def __init__(self, frame: Frame, size: int) -> None:
-        ctx = frame.renderer.ctx
+    def __init__(self, frame: Frame) -> None:
+        ctx, size = frame.renderer.ctx, frame.tier.prop_shadow_size
         self.size = size
         self.texture = ctx.depth_texture((2 * size, size))
         self.texture.compare_func = ""
         self.texture.filter = ctx.NEAREST, ctx.NEAREST
         self.texture.repeat_x = self.texture.repeat_y = False
         self.framebuffer = ctx.framebuffer(depth_attachment=self.texture)
-        self.batches = [Batch(ctx, held(frame)["meshes"]) for _ in range(2)]
+        self.batches = [Batch(ctx, meshes(frame)) for _ in range(2)]
         self.range_m = 1.0
 
     def release(self) -> None:
@@ -84,12 +84,8 @@ def tallest_m(frame: Frame) -> float:
 
 
 def draw(frame: Frame) -> None:
-    level, kept, size = frame.level, held(frame), frame.tier.prop_shadow_size
-    if "map" not in kept or kept["map"].size != size:
-        if "map" in kept:
-            kept["map"].release()
-        kept["map"] = PropMap(frame, size)
-    made, sun = kept["map"], np.asarray(frame.uniforms["u_sun_direction"], np.float64)
+    level, made = frame.level, recent(frame, PropMap, frame.tier.name)
+    sun = np.asarray(frame.uniforms["u_sun_direction"], np.float64)
     way = slant(sun)
     found = squares(frame, way)
     range_m = 2.0 ** math.ceil(math.log2(tallest_m(frame) + 8.0 * max(level.settings.scatter.size, 1.0)))
@@ -104,7 +100,7 @@ def draw(frame: Frame) -> None:
     frame.uniforms["u_prop_squares"] = found.astype(np.float32)
     frame.uniforms["u_prop_slant"] = tuple(way)
     frame.uniforms["u_prop_range"] = range_m
-    frame.uniforms["u_prop_soft"] = size > 512
+    frame.uniforms["u_prop_soft"] = made.size > 512
 
 
 def _render(frame: Frame, made: PropMap, index: int, square: np.ndarray, way: np.ndarray, key: tuple) -> None:
