@@ -209,7 +209,7 @@ def _look(level: Level, x: np.ndarray, y: np.ndarray, kind: Kind) -> tuple[Place
 
 
 def _open(level: Level, x: np.ndarray, y: np.ndarray, gradient: np.ndarray) -> np.ndarray:
-    """Share of the sky that the land leaves open, as lib/land_light.glsl has it, from its two nearer rings."""
+    """Share of the sky that the land leaves open: what passes/openness.py maps, roughly, from two near rings."""
     z, hidden = _nearest(level, x, y), np.zeros(len(x))
     for radius in FOOT_M:
         for east, north in TURNS[::2]:

@@ -49,7 +49,7 @@ class Kind:
     channel: str  # of the layer `scatter`, and the setting that counts it
     spacing_m: float
     size_m: tuple[float, float]
-    skew: float  # how much rarer large ones are: size = low · (high / low)^(u^skew)
+    skew: float  # how much rarer large ones are: size = low + (high − low) · u^skew
     rule: Callable[[Place], np.ndarray]
     allowed: Callable[[Place], np.ndarray]  # where paint may put it, 0 … 1
     full: float  # share of places where it is painted fully

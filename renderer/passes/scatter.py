@@ -57,20 +57,15 @@ def eye(frame: Frame) -> Eye:
 
 
 def wind_uniforms(frame: Frame) -> dict:
-    """Gusts that run with the wind, their phases wrapped here; `u_wind_bend` in radians of lean."""
+    """Gusts that run about along `u_wind_way`, phases wrapped here; `u_wind_bend` in radians of lean."""
     sea, sway = frame.level.settings.sea, frame.level.settings.scatter.sway
     waves = []
     for length, speed, turn in GUSTS:
         heading = math.radians(90.0 - sea.swell_heading_deg) + turn
         phase = frame.time_s * speed * (0.4 + 0.12 * sea.wind_mps) / length
         waves.append((math.cos(heading) / length, math.sin(heading) / length, phase - math.floor(phase), 0.0))
-    heading = math.radians(90.0 - sea.swell_heading_deg)
     bend = sway * 0.55 * sea.wind_mps / (sea.wind_mps + 9.0)
-    return {
-        "u_gusts": np.array(waves, np.float32),
-        "u_wind_way": (math.cos(heading), math.sin(heading)),
-        "u_wind_bend": bend,
-    }
+    return {"u_gusts": np.array(waves, np.float32), "u_wind_bend": bend}
 
 
 def draw(frame: Frame) -> None:

@@ -4,8 +4,8 @@
 
 #ifdef VERTEX
 #include "lib/scatter.glsl"
+#include "lib/wind.glsl"
 uniform vec4 u_gusts[3];    // wave vector 1/m, phase 0 … 1
-uniform vec2 u_wind_way;
 uniform float u_wind_bend;  // lean of a blade in a middling gust, rad
 uniform float u_kind_wind;
 out vec3 v_relative, v_normal, v_local;
