@@ -301,16 +301,6 @@ def test_the_view_of_kinds_shows_their_colours(draw):
     assert len(shown) >= 3
 
 
-def test_no_swash_and_no_splash_leave_finite_colours(draw):
-    """L09: settings at their least are no division by nothing."""
-    level = coast()
-    for path in ("shore.runup", "wet.splash_m"):
-        level.set(path, 0.0)
-    camera = EYE.model_copy(update={"y": 96.0, "z": 2.0, "pitch_deg": -30})
-    for view in ("albedo", "hdr"):
-        assert np.isfinite(draw(level, view, camera, linear=True)).all()
-
-
 def test_without_things_the_view_of_kinds_is_grey(draw):
     """L09: the lace that the waves leave on the sand is no kind."""
     level = read_level(Path(__file__).parents[1] / "sample_levels" / "cove.shore")
