@@ -163,6 +163,19 @@ def test_rules(placed):
     assert near.mean() > 0.8, "boulders lie at the foot of the cliff"
 
 
+@pytest.mark.parametrize(("sand_top_m", "runup"), [(-8.0, 0.13), (1.605, 0.13), (0.5, 0.5), (3.2, 0.6)])
+def test_grass_drowns_whatever_the_sand_and_the_swash(sand_top_m, runup):
+    """L09: where turf is set to begin under water, and where waves run up beyond the sand."""
+    level = coast()
+    level.set("ground.sand_top_m", sand_top_m)
+    level.set("shore.runup", runup)
+    top = level.settings.shore.range_m * runup
+    for name in ("dune_grass", "meadow"):
+        rows = scatter_instances(level, name)
+        assert len(rows)
+        assert (over(level, rows) + SCATTER[name].sink * rows["scale"]).min() > top
+
+
 def test_driftwood_lies_along_the_shore(placed):
     """The contour runs east and west here; most of it is within 45° of that."""
     yaw = placed[1]["branch"]["yaw"]
