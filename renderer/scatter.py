@@ -17,7 +17,7 @@ from ..level.scatter_meshes import MESHES, mesh
 from .quality import Tier
 
 FADE = 0.2  # last part of its distance over which a thing shrinks away
-SPAN_M = 6.0  # how far a thing reaches past its tile
+SPAN_M = 6.0  # so far at least a thing reaches past its tile
 LEAST_PX = 0.9  # smaller ones are left out
 MOST_SMALL_M = 240.0  # what lies close together is drawn no farther off: tiles of it take milliseconds each to make
 DETAIL_PX = {
@@ -69,15 +69,22 @@ def near(level: Level, name: str, eye: Eye, far: float) -> np.ndarray:
     away = np.linalg.norm(np.maximum(np.abs(middles - (x, y)) - TILE_M / 2, 0), axis=1)
     tiles = [tile for tile, off in zip(tiles, away, strict=True) if off < far]
     if eye.planes is not None and tiles:
-        tiles = [tile for tile, seen in zip(tiles, _tiles_seen(level, tiles, eye), strict=True) if seen]
+        kind = SCATTER[name]
+        span = max(_wide(kind) * kind.size_m[1] * level.settings.scatter.size, SPAN_M)
+        tiles = [tile for tile, seen in zip(tiles, _tiles_seen(level, tiles, eye, span), strict=True) if seen]
     return np.concatenate([EMPTY, *scatter_tiles(level, name, tiles).values()])
 
 
-def _tiles_seen(level: Level, tiles: list[tuple[int, int]], eye: Eye) -> np.ndarray:
+def _wide(kind: Kind) -> float:
+    """How far a thing and its dark foot reach from where it stands, in its size."""
+    return max(1.3, kind.contact_m[0])
+
+
+def _tiles_seen(level: Level, tiles: list[tuple[int, int]], eye: Eye, span: float) -> np.ndarray:
     """Which tiles have a part, from the deepest to the highest ground and what stands on it, inside every plane."""
     corner, heights = np.array(tiles, np.float64) * TILE_M, tile_ranges(level, tiles)
-    low = np.column_stack([corner, heights[:, 0]]) - SPAN_M - eye.position
-    high = np.column_stack([corner + TILE_M, heights[:, 1]]) + SPAN_M - eye.position
+    low = np.column_stack([corner, heights[:, 0]]) - span - eye.position
+    high = np.column_stack([corner + TILE_M, heights[:, 1]]) + span - eye.position
     normals = eye.planes[:, None, :3]
     with np.errstate(invalid="ignore"):  # a tile without ground
         farthest = np.maximum(normals * low, normals * high).sum(axis=2)
@@ -95,8 +102,7 @@ def _group(groups: Groups, kind: Kind, found: np.ndarray, eye: Eye, far: float) 
         scale = scale * np.clip((own - away) / (FADE * own), 0, 1)
     seen = away < own if eye.pixel else away < far
     if eye.planes is not None:
-        wide = max(1.3, kind.contact_m[0])  # of the thing and its dark foot
-        seen &= (place @ eye.planes[:, :3].T + eye.planes[:, 3] >= -wide * scale[:, None]).all(axis=1)
+        seen &= (place @ eye.planes[:, :3].T + eye.planes[:, 3] >= -_wide(kind) * scale[:, None]).all(axis=1)
     place, away, scale, found = place[seen], away[seen], scale[seen], found[seen]
     rows = np.stack([*place.T, scale, np.cos(found["yaw"]), np.sin(found["yaw"]), found["normal_x"], found["normal_y"],
                      found["tint"], found["open"], found["rank"], found["scale"]], 1).astype(np.float32)  # fmt: skip

@@ -93,6 +93,19 @@ def test_another_grid_leaves_nothing_of_what_lay_on_the_last(ctx, renderer, draw
         assert np.array_equal(draw(level, view), expected)
 
 
+@pytest.mark.parametrize("size", [1.0, 10.0])
+def test_tiles_are_left_out_only_when_all_on_them_would_be(monkeypatch, size):
+    """L09: however large things are set to be."""
+    level, eyes = coast(), []
+    level.set("scatter.size", size)
+    for yaw in range(0, 360, 30):
+        matrices = camera_matrices(EYE.model_copy(update={"yaw_deg": yaw, "fov_deg": 25}), SIZE)
+        eyes.append(gathering.Eye(matrices.position, matrices.planes, 0.0004))
+    by_tile = [feet(gathering.gather(level, eye, TIERS["low"])) for eye in eyes]
+    monkeypatch.setattr(gathering, "_tiles_seen", lambda level, tiles, *_: np.ones(len(tiles), bool))
+    assert by_tile == [feet(gathering.gather(level, eye, TIERS["low"])) for eye in eyes]
+
+
 @pytest.mark.parametrize("scale", [1.0, 0.5])
 def test_all_samples_of_a_picture_draw_what_was_gathered_once(renderer, monkeypatch, scale):
     """L09: jitter asks for nothing again, and what it moves into the picture is there: same bytes as unculled."""
