@@ -35,7 +35,6 @@ class Level:
         self.settings_revision = 0
         self.objects_revision = 0
         self.live = False  # True while a step is open: derived maps may then answer from the changed window alone
-        self.derived: dict = {}  # caches of what follows from the level, keyed by their owners
         self.reset(grid, base)
 
     def reset(self, grid: Grid, base: np.ndarray) -> None:
@@ -49,7 +48,8 @@ class Level:
             self.layers[name] = HeightData(row, own, base) if name == "height" else LayerData(row, own)
         self._log: dict[str, list[tuple[int, Rect]]] = {name: [] for name in LAYERS}
         self.sector_revisions = {n: np.zeros(data.grid.sector_shape, np.int64) for n, data in self.layers.items()}
-        self.derived.clear()
+        # caches of what follows from the level, keyed by their owners; another one, for copies may read the old
+        self.derived: dict = {}
         for name in LAYERS:
             self.mark(name, self.layers[name].grid.rect)
 

@@ -16,6 +16,7 @@ from .errors import BadInput
 from .grid import Rect
 from .level import Level
 from .noise import lattice
+from .params import get
 from .pick import ground_at
 from .scatter_kinds import SCATTER, Kind, Place
 from .scatter_meshes import variants
@@ -25,6 +26,9 @@ FOOT_M = (3.0, 8.0)  # rings on which the ground round a place is looked at
 LOOK_M = 10.0  # so far a change of the ground is felt
 TURNS = tuple((np.cos(a), np.sin(a)) for a in np.arange(8) * np.pi / 4)
 LAYERS_READ = {"height": LOOK_M, "cover": 0.0, "scatter": 0.0}
+SETTINGS_READ = ("level.seed", "level.sea_level_m", "ground.sand_top_m", "ground.rock_slope_deg",
+                 "ground.grass_slope_deg", "ground.shingle", "shore.range_m", "shore.runup", "scatter.rocks",
+                 "scatter.driftwood", "scatter.grass", "scatter.size")  # fmt: skip
 FIELDS = ("x", "y", "z", "scale", "yaw", "normal_x", "normal_y", "tint", "open", "rank", "variant")
 INSTANCE = np.dtype([(name, np.float32) for name in FIELDS])
 EMPTY = np.empty(0, INSTANCE)
@@ -83,8 +87,7 @@ def scatter_tiles(level: Level, kind: str, tiles: list[tuple[int, int]]) -> dict
 def sync(level: Level) -> Tiles:
     """The level's tiles, without those that a change has touched."""
     s = level.settings
-    key = (s.level, s.ground, s.shore.range_m, s.shore.runup, s.scatter.rocks, s.scatter.driftwood, s.scatter.grass,
-           s.scatter.size)  # fmt: skip
+    key = tuple(get(s, path) for path in SETTINGS_READ)
     tiles: Tiles = level.derived.setdefault("scatter", Tiles())
     if tiles.key != key:
         tiles.held.clear()
@@ -103,8 +106,9 @@ def _drop(level: Level, tiles: Tiles, rect: Rect, reach_m: float) -> None:
     reach_m += 2 * cell_m  # gradients look at the neighbours
     touched = set(tiles_within(level, rect.col0 * cell_m - reach_m, rect.row0 * cell_m - reach_m,
                                rect.col1 * cell_m + reach_m, rect.row1 * cell_m + reach_m))  # fmt: skip
-    for tile in touched:
-        tiles.ranges.pop(tile, None)
+    for tile in touched & tiles.ranges.keys():  # what was out of sight may come into it
+        del tiles.ranges[tile]
+        tiles.changes += 1
     for known in [known for known in tiles.held if known[1:] in touched]:
         del tiles.held[known]
         tiles.changes += 1
@@ -205,7 +209,7 @@ def _look(level: Level, x: np.ndarray, y: np.ndarray, kind: Kind) -> tuple[Place
 
 
 def _open(level: Level, x: np.ndarray, y: np.ndarray, gradient: np.ndarray) -> np.ndarray:
-    """Share of the sky that the land leaves open, as lib/land_light.glsl has it, from its two nearer rings."""
+    """Share of the sky that the land leaves open: what passes/openness.py maps, roughly, from two near rings."""
     z, hidden = _nearest(level, x, y), np.zeros(len(x))
     for radius in FOOT_M:
         for east, north in TURNS[::2]:

@@ -49,7 +49,7 @@ class Kind:
     channel: str  # of the layer `scatter`, and the setting that counts it
     spacing_m: float
     size_m: tuple[float, float]
-    skew: float  # how much rarer large ones are: size = low · (high / low)^(u^skew)
+    skew: float  # how much rarer large ones are: size = low + (high − low) · u^skew
     rule: Callable[[Place], np.ndarray]
     allowed: Callable[[Place], np.ndarray]  # where paint may put it, 0 … 1
     full: float  # share of places where it is painted fully
@@ -149,8 +149,9 @@ def _strand(p: Place, high_m: float) -> np.ndarray:
 
 def dune_grass(p: Place) -> np.ndarray:
     """Marram on the seaward edge of the dunes: from the bare sand into the turf."""
-    edge = p.settings.ground.sand_top_m
-    first = max(1.7 * p.top_m + 0.5, edge - 1.5)
+    least = 1.7 * p.top_m + 0.5
+    edge = max(p.settings.ground.sand_top_m, least + 0.5)
+    first = max(least, edge - 1.5)
     belt = smooth(first, edge, p.over) * smooth(edge + 4.5, edge + 1.2, p.over)
     clumps = smooth(0.36, 0.60, 0.5 * p.noise(8.0, 12) + 0.5 * p.noise(2.3, 13))
     return 1.7 * belt * clumps * smooth(0.85, 0.5, p.slope) * (1 - stony(p)) * (1 - 0.7 * p.cover[:, 0])
@@ -159,7 +160,7 @@ def dune_grass(p: Place) -> np.ndarray:
 def meadow(p: Place) -> np.ndarray:
     """Tussocks in the turf."""
     clumps = smooth(0.42, 0.70, 0.5 * p.noise(14.0, 14) + 0.5 * p.noise(3.0, 15))
-    return 1.6 * turf(p) * clumps * (1 - stony(p)) * smooth(0.9, 0.6, p.slope)
+    return 1.6 * turf(p) * clumps * (1 - stony(p)) * smooth(0.9, 0.6, p.slope) * above_swash(p)
 
 
 def anywhere(p: Place) -> np.ndarray:

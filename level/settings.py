@@ -157,7 +157,10 @@ class Scatter(Section):
     grass: float = param(0.7, 0, 4, "×", "How many grass tufts.", soft=(0, 2))
     size: float = param(1.0, 0.1, 10, "×", "Size of scattered things.", soft=(0.5, 2))
     sway: float = param(1.0, 0, 5, "×", "How far the wind moves the grass.", soft=(0, 2))
-    distance_m: float = param(160.0, 5, 5000, "m", "How far off the smallest things are still drawn.", soft=(30, 500))
+    distance_m: float = param(
+        160.0, 5, 400, "m", "How far off dune grass is drawn; large things farther, small ones never beyond 240 m.",
+        soft=(30, 300),
+    )  # fmt: skip
 
 
 class Walk(Section):

@@ -11,14 +11,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..level import Level
-from ..level.scatter import EMPTY, TILE_M, scatter_tiles, sync, tile_ranges, tiles_within
+from ..level.scatter import EMPTY, TILE_M, Tiles, scatter_tiles, sync, tile_ranges, tiles_within
 from ..level.scatter_kinds import SCATTER, Kind
 from ..level.scatter_meshes import MESHES, mesh
 from .quality import Tier
 
 FADE = 0.2  # last part of its distance over which a thing shrinks away
-SPAN_M = 6.0  # how far a thing reaches past its tile
+SPAN_M = 6.0  # so far at least a thing reaches past its tile
 LEAST_PX = 0.9  # smaller ones are left out
+MOST_SMALL_M = 240.0  # what lies close together is drawn no farther off: tiles of it take milliseconds each to make
 DETAIL_PX = {
     "rock": (50, 12),
     "grass": (58, 22),
@@ -42,7 +43,8 @@ Groups = dict[tuple[str, int, int], np.ndarray]  # (kind, variant, detail) → f
 
 def reach_m(level: Level, kind: Kind, tier: Tier) -> float:
     """How far off the largest of a kind is drawn."""
-    return level.settings.scatter.distance_m * kind.reach * tier.scatter_reach
+    far = level.settings.scatter.distance_m * tier.scatter_reach
+    return (min(far, MOST_SMALL_M) if kind.spacing_m < 2.0 else far) * kind.reach
 
 
 def gather(level: Level, eye: Eye, tier: Tier, reached: dict[str, float] | None = None) -> Groups:
@@ -50,7 +52,9 @@ def gather(level: Level, eye: Eye, tier: Tier, reached: dict[str, float] | None 
     groups: Groups = {}
     for name, kind in SCATTER.items():
         far = reach_m(level, kind, tier) if reached is None else reached.get(name, 0.0)
-        found = near(level, name, eye, far)
+        # none of the kind is large enough to be seen farther off
+        seen_m = kind.size_m[1] * level.settings.scatter.size / (eye.pixel * LEAST_PX) if eye.pixel else far
+        found = near(level, name, eye, min(far, seen_m))
         found = found[found["rank"] < tier.scatter_share] if kind.channel == "grass" else found
         if len(found):
             _group(groups, kind, found, eye, far)
@@ -65,15 +69,22 @@ def near(level: Level, name: str, eye: Eye, far: float) -> np.ndarray:
     away = np.linalg.norm(np.maximum(np.abs(middles - (x, y)) - TILE_M / 2, 0), axis=1)
     tiles = [tile for tile, off in zip(tiles, away, strict=True) if off < far]
     if eye.planes is not None and tiles:
-        tiles = [tile for tile, seen in zip(tiles, _tiles_seen(level, tiles, eye), strict=True) if seen]
+        kind = SCATTER[name]
+        span = max(_wide(kind) * kind.size_m[1] * level.settings.scatter.size, SPAN_M)
+        tiles = [tile for tile, seen in zip(tiles, _tiles_seen(level, tiles, eye, span), strict=True) if seen]
     return np.concatenate([EMPTY, *scatter_tiles(level, name, tiles).values()])
 
 
-def _tiles_seen(level: Level, tiles: list[tuple[int, int]], eye: Eye) -> np.ndarray:
+def _wide(kind: Kind) -> float:
+    """How far a thing and its dark foot reach from where it stands, in its size."""
+    return max(1.3, kind.contact_m[0])
+
+
+def _tiles_seen(level: Level, tiles: list[tuple[int, int]], eye: Eye, span: float) -> np.ndarray:
     """Which tiles have a part, from the deepest to the highest ground and what stands on it, inside every plane."""
     corner, heights = np.array(tiles, np.float64) * TILE_M, tile_ranges(level, tiles)
-    low = np.column_stack([corner, heights[:, 0]]) - SPAN_M - eye.position
-    high = np.column_stack([corner + TILE_M, heights[:, 1]]) + SPAN_M - eye.position
+    low = np.column_stack([corner, heights[:, 0]]) - span - eye.position
+    high = np.column_stack([corner + TILE_M, heights[:, 1]]) + span - eye.position
     normals = eye.planes[:, None, :3]
     with np.errstate(invalid="ignore"):  # a tile without ground
         farthest = np.maximum(normals * low, normals * high).sum(axis=2)
@@ -91,7 +102,7 @@ def _group(groups: Groups, kind: Kind, found: np.ndarray, eye: Eye, far: float) 
         scale = scale * np.clip((own - away) / (FADE * own), 0, 1)
     seen = away < own if eye.pixel else away < far
     if eye.planes is not None:
-        seen &= (place @ eye.planes[:, :3].T + eye.planes[:, 3] >= -1.3 * scale[:, None]).all(axis=1)
+        seen &= (place @ eye.planes[:, :3].T + eye.planes[:, 3] >= -_wide(kind) * scale[:, None]).all(axis=1)
     place, away, scale, found = place[seen], away[seen], scale[seen], found[seen]
     rows = np.stack([*place.T, scale, np.cos(found["yaw"]), np.sin(found["yaw"]), found["normal_x"], found["normal_y"],
                      found["tint"], found["open"], found["rank"], found["scale"]], 1).astype(np.float32)  # fmt: skip
@@ -157,18 +168,19 @@ class Batch:
         self.ctx = ctx
         self.meshes = meshes
         self.key: tuple | None = None
-        self.source: object = None
+        self.source: Tiles | None = None
         self.counts: dict[tuple[str, int, int], int] = {}
         self.buffers: dict[tuple[str, int, int], object] = {}
         self.arrays: dict[tuple, object] = {}
 
     def fresh(self, level: Level, *key) -> bool:
         """Whether what is held was gathered for this level as it is, and this key."""
-        return self.source is level.derived and self.key == (sync(level).changes, *key)
+        tiles = sync(level)
+        return self.source is tiles and self.key == (tiles.changes, *key)
 
     def fill(self, level: Level, groups: Groups, *key) -> int:
         """Send groups; returns the bytes."""
-        self.source, self.counts = level.derived, {}
+        self.source, self.counts = sync(level), {}
         for name, rows in groups.items():
             if name not in self.buffers:
                 self.buffers[name] = self.ctx.buffer(reserve=max(rows.nbytes, 4 * FLOATS), dynamic=True)
@@ -177,7 +189,7 @@ class Batch:
                 buffer.orphan(2 * rows.nbytes)
             buffer.write(np.ascontiguousarray(rows).tobytes())
             self.counts[name] = len(rows)
-        self.key = sync(level).changes, *key
+        self.key = self.source.changes, *key
         return sum(rows.nbytes for rows in groups.values())
 
     def draw(self, shaders) -> tuple[int, int]:

@@ -82,7 +82,8 @@ VIEWS: dict[str, View] = {
         View("prop_shadow", "Shadow of things", "Black in the shadow of rocks, driftwood and grass alone.",
              "vec3(prop_visibility(position))", ids="L03"),
         View("scatter", "Scatter", "Kinds of scattered things in colours, on ground in grey.",
-             "s.material == LAND && s.foam > 0.5 ? s.albedo : vec3(0.12 * s.open + 0.1 * sun_visibility(position))",
+             "s.material == LAND && s.emissive != vec3(0.0) ? s.emissive"
+             " : vec3(0.12 * s.open + 0.1 * sun_visibility(position))",
              "direct", ids="L09"),
         View("sky_visibility", "Sky visibility", "Share of the sky that the land leaves open.",
              "vec3(s.open)", ids="L02 L03"),

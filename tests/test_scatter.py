@@ -5,9 +5,11 @@ import pytest
 from shorewright.brushes import BRUSHES, Stroke
 from shorewright.level import BadInput, Grid, Journal, Level, Rect
 from shorewright.level import scatter as placing
+from shorewright.level.params import describe
 from shorewright.level.scatter import TILE_M, scatter_instances, scatter_tiles, sync, tiles_within
 from shorewright.level.scatter_kinds import SCATTER
 from shorewright.level.scatter_meshes import MESHES, mesh
+from shorewright.level.settings import Settings
 
 SIDE = 257
 FULL = {"rocks": 1.5, "driftwood": 1.5, "grass": 1.5}
@@ -108,6 +110,39 @@ def test_a_change_makes_again_only_what_it_touches_and_as_a_new_level_would(laye
     assert any(everything(fresh)[name] != everything(coast())[name] for name in SCATTER)
 
 
+def test_ground_that_was_only_looked_at_counts_as_changed_too():
+    """L09: a tile out of sight has heights and no instances; when it rises into sight, pictures must notice."""
+    level = coast()
+    low = placing.tile_ranges(level, [(3, 3)])
+    before = sync(level).changes
+    level.write("height", Rect(100, 100, 110, 110), 90.0)
+    assert sync(level).changes > before
+    assert placing.tile_ranges(level, [(3, 3)])[0, 1] == 90.0 > low[0, 1]
+
+
+ROWS = [row for row in describe(Settings) if row.name.split(".")[0] in ("level", "ground", "shore", "scatter")]
+
+
+@pytest.mark.parametrize("row", ROWS, ids=lambda row: row.name)
+def test_settings_make_again_what_reads_them_and_nothing_else_does(row):
+    """L09: a slider of the ground's look leaves the tiles; one that a rule reads doesn't leave old ones."""
+    value = row.default
+    other = not value if row.kind == "bool" else 0.5 * (value + row.low) if row.low < value else 0.5 * row.high
+    other = int(other) if row.kind == "int" else other
+    level, fresh = coast(), coast()
+    area = Rect(40, 90, 170, 180)
+    before = {name: scatter_instances(level, name, area) for name in SCATTER}
+    tiles = dict(sync(level).held)
+    level.set(row.name, other)
+    fresh.set(row.name, other)
+    held, read = sync(level).held, row.name in placing.SETTINGS_READ
+    assert set(held) == (set() if read else set(tiles))
+    assert all(held[key] is tiles[key] for key in held)
+    after = {name: scatter_instances(fresh, name, area) for name in SCATTER}
+    same = all(before[name].tobytes() == after[name].tobytes() for name in SCATTER)
+    assert same != read
+
+
 def test_rules(placed):
     """No rocks in deep water, no grass in the swash or on walls, driftwood on the strand line."""
     level, found = placed
@@ -126,6 +161,19 @@ def test_rules(placed):
     x, y = found["boulder"]["x"], found["boulder"]["y"]
     near = ((x < 140) & (np.abs(y - 138) < 14)) | ((np.abs(x - 130) < 14) & (y > 130))
     assert near.mean() > 0.8, "boulders lie at the foot of the cliff"
+
+
+@pytest.mark.parametrize(("sand_top_m", "runup"), [(-8.0, 0.13), (1.605, 0.13), (0.5, 0.5), (3.2, 0.6)])
+def test_grass_drowns_whatever_the_sand_and_the_swash(sand_top_m, runup):
+    """L09: where turf is set to begin under water, and where waves run up beyond the sand."""
+    level = coast()
+    level.set("ground.sand_top_m", sand_top_m)
+    level.set("shore.runup", runup)
+    top = level.settings.shore.range_m * runup
+    for name in ("dune_grass", "meadow"):
+        rows = scatter_instances(level, name)
+        assert len(rows)
+        assert (over(level, rows) + SCATTER[name].sink * rows["scale"]).min() > top
 
 
 def test_driftwood_lies_along_the_shore(placed):

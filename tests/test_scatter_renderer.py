@@ -1,18 +1,24 @@
 """Scattered things in the picture: stateless wind, tiers, culling, their shadows and dark feet (L09, L03)."""
 
+from pathlib import Path
+
 import numpy as np
 import pytest
+from shorewright.app.session import Session
 from shorewright.brushes import BRUSHES, Stroke
+from shorewright.io import read_level
 from shorewright.level import Grid, Journal, Level, Rect
 from shorewright.level.objects import Camera
+from shorewright.level.params import describe
 from shorewright.level.scatter import INSTANCE
 from shorewright.level.scatter_kinds import SCATTER
 from shorewright.level.scatter_meshes import mesh
-from shorewright.renderer import Show, render
+from shorewright.level.settings import Settings
+from shorewright.renderer import Renderer, Show, render
 from shorewright.renderer import scatter as gathering
 from shorewright.renderer.camera import camera_matrices
 from shorewright.renderer.quality import TIERS
-from test_scatter import coast
+from test_scatter import SIDE, coast
 
 pytestmark = pytest.mark.gl
 SIZE = (160, 90)
@@ -60,6 +66,84 @@ def test_a_still_camera_sends_nothing_again(renderer, draw):
     assert renderer.uploader.sent["scatter"] > sent[0]
 
 
+def crop_and_back(level):
+    session = Session(level)
+    session.crop(20, 10, 230, 240)
+    yield
+    session.undo()
+    yield
+    session.close()
+
+
+def taken_anew(level):
+    level.reset(Grid(SIDE, SIDE), np.ascontiguousarray(level.height[:, ::-1]))
+    yield
+
+
+@pytest.mark.parametrize("change", [crop_and_back, taken_anew])
+@pytest.mark.parametrize("view", ["position", "prop_shadow"])
+def test_another_grid_leaves_nothing_of_what_lay_on_the_last(ctx, renderer, draw, change, view):
+    """L09, T08: import, crop, resize and recovery put another coast under the same level."""
+    level = coast()
+    draw(level, view)
+    for _ in change(level):
+        fresh = Renderer(ctx)
+        expected = render(level, EYE, SIZE, 3.0, view, DRY, "medium", renderer=fresh)
+        fresh.release()
+        assert np.array_equal(draw(level, view), expected)
+
+
+@pytest.mark.parametrize("size", [1.0, 10.0])
+def test_tiles_are_left_out_only_when_all_on_them_would_be(monkeypatch, size):
+    """L09: however large things are set to be."""
+    level, eyes = coast(), []
+    level.set("scatter.size", size)
+    for yaw in range(0, 360, 30):
+        matrices = camera_matrices(EYE.model_copy(update={"yaw_deg": yaw, "fov_deg": 25}), SIZE)
+        eyes.append(gathering.Eye(matrices.position, matrices.planes, 0.0004))
+    by_tile = [feet(gathering.gather(level, eye, TIERS["low"])) for eye in eyes]
+    monkeypatch.setattr(gathering, "_tiles_seen", lambda level, tiles, *_: np.ones(len(tiles), bool))
+    assert by_tile == [feet(gathering.gather(level, eye, TIERS["low"])) for eye in eyes]
+
+
+@pytest.mark.parametrize("scale", [1.0, 0.5])
+def test_all_samples_of_a_picture_draw_what_was_gathered_once(renderer, monkeypatch, scale):
+    """L09: jitter asks for nothing again, and what it moves into the picture is there: same bytes as unculled."""
+    whole, asked = gathering.gather, []
+
+    def drawn(planes: bool):
+        def counted(level, eye, tier):
+            asked.append(eye)
+            return whole(level, gathering.Eye(eye.position, eye.planes if planes else None, eye.pixel), tier)
+
+        monkeypatch.setattr("shorewright.renderer.passes.scatter.gather", counted)
+        renderer.draw(coast(), EYE, SIZE, 3.0, "final", DRY, "medium", samples=5, scale=scale)
+        return renderer.read()
+
+    culled = drawn(True)
+    assert len(asked) == 1
+    assert np.array_equal(culled, drawn(False))
+
+
+def test_moving_and_still_pictures_take_turns_without_gathering(renderer, draw):
+    """L09, L03: two tiers and sizes are kept; a third takes the place of the oldest."""
+    level, kinds = coast(), [("low", (80, 45)), ("medium", SIZE)]
+
+    def turn():
+        return [draw(level, quality=quality, size=size) for quality, size in kinds]
+
+    def sent():
+        return renderer.uploader.sent["scatter"], renderer.uploader.sent["casters"]
+
+    first, before = turn(), sent()
+    assert all(np.array_equal(a, b) for a, b in zip(first, turn(), strict=True))
+    assert sent() == before
+    for size in ((64, 36), (96, 54)):
+        draw(level, quality="high", size=size)
+    assert len(renderer.kept["scatter"]) == 4
+    assert all(np.array_equal(a, b) for a, b in zip(first, turn(), strict=True))
+
+
 def feet(groups) -> set:
     return {(name, *row[:3].tolist()) for (name, _, _), rows in groups.items() for row in rows}
 
@@ -90,6 +174,27 @@ def test_culling_drops_nothing_that_is_seen(draw, monkeypatch, yaw):
     level.set("scatter.distance_m", level.settings.scatter.distance_m * (1 + 1e-12))
     assert np.array_equal(culled, draw(level, "position", camera, linear=True))
     assert count
+
+
+@pytest.mark.parametrize("quality", TIERS)
+def test_the_longest_distance_asks_for_a_bounded_number_of_places(quality):
+    """L09: at the longest distance, from above over land without end; places are what making tiles costs."""
+    level = coast()
+    level.set("scatter.distance_m", next(r for r in describe(Settings) if r.name == "scatter.distance_m").high)
+    places = 0.0
+    for kind in SCATTER.values():
+        places += np.pi * gathering.reach_m(level, kind, TIERS[quality]) ** 2 / kind.spacing_m**2
+    assert places < 3e6
+
+
+def test_what_is_too_small_to_see_is_not_made():
+    """L09: a coarse picture leaves tiles alone that a fine one needs, and both leave out no visible thing."""
+    made = []
+    for pixel in (0.01, 0.001):
+        level = coast()
+        gathering.gather(level, gathering.Eye(np.array([128.0, 60.0, 6.0]), None, pixel), TIERS["medium"])
+        made.append({key for key in level.derived["scatter"].held if key[0] == "cobble"})
+    assert made[0] < made[1]
 
 
 def test_paint_is_seen_in_the_next_frame(renderer, draw):
@@ -155,6 +260,23 @@ def test_a_lit_face_is_not_in_its_own_shadow(draw, monkeypatch):
     assert lit[..., 0][facing].mean() > 0.98
 
 
+@pytest.mark.parametrize(("ground", "sea_m"), [(4, 0), (60, 0), (300, 0), (4, 500), (4, -500), (-30, 0)])
+def test_things_throw_the_same_shadow_however_far_the_sea_is_below_or_above(draw, monkeypatch, ground, sea_m):
+    """L03: heights in the map count from the still sea, and the squares follow the ground."""
+    level = one_rock(monkeypatch, ground=ground)
+    level.set("level.sea_level_m", sea_m)
+    level.set("light.sun_azimuth_deg", 180.0)
+    level.set("light.sun_elevation_deg", 45.0)
+    lit = draw(level, "prop_shadow", above(ground=ground), (240, 240), linear=True)[..., 0]
+    as_usual = one_rock(monkeypatch)
+    as_usual.set("light.sun_azimuth_deg", 180.0)
+    as_usual.set("light.sun_elevation_deg", 45.0)
+    expected = draw(as_usual, "prop_shadow", above(), (240, 240), linear=True)[..., 0]
+    dark = (lit < 0.5).sum(), (expected < 0.5).sum()
+    assert dark[1] > 150
+    assert abs(dark[0] - dark[1]) < 0.15 * dark[1]
+
+
 def test_shadows_off_and_low_sun_leave_everything_lit(draw, monkeypatch):
     level = one_rock(monkeypatch)
     assert draw(level, "prop_shadow", above(), linear=True).min() < 0.1
@@ -190,3 +312,14 @@ def test_the_view_of_kinds_shows_their_colours(draw):
     seen = draw(level, "scatter", linear=True).reshape(-1, 3)
     shown = [name for name, kind in SCATTER.items() if (np.abs(seen - kind.colour).max(axis=1) < 0.02).any()]
     assert len(shown) >= 3
+
+
+def test_without_things_the_view_of_kinds_is_grey(draw):
+    """L09: the lace that the waves leave on the sand is no kind."""
+    level = read_level(Path(__file__).parents[1] / "sample_levels" / "cove.shore")
+    beach, moments = level.camera("beach"), (2.0, 6.0, 10.0, 14.0)
+    assert max(draw(level, "lace", beach, show=Show(), time_s=t, linear=True).max() for t in moments) > 0.5
+    level.set("scatter.on", False)
+    for moment in moments:
+        seen = draw(level, "scatter", beach, show=Show(), time_s=moment, linear=True)
+        assert np.ptp(seen, axis=-1).max() == 0

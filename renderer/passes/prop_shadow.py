@@ -15,29 +15,28 @@ from ...level.pick import ground_at
 from ...level.scatter_kinds import SCATTER
 from ..frame import Frame
 from ..scatter import Batch, Eye, gather
-from .scatter import held
+from .scatter import meshes, recent
 
 SMALLEST_M = 64.0  # side of the large square; twice that, and twice again, for cameras farther off
 LARGEST_M = 512.0
 NEAR = 0.25  # side of the small square, in large ones
 STEPS = 16  # parts of its side by which a square moves
 MOST_SLANT = 12.0  # run over rise of the sun's rays; a lower sun throws no longer shadows
-DEEPEST_M = 6.0  # under water nothing stands deeper
 NIGHT = 0.01  # below this height the sun throws none
 
 
 class PropMap:
     """A depth texture, two squares wide, and what was drawn into each."""
 
-    def __init__(self, frame: Frame, size: int) -> None:
-        ctx = frame.renderer.ctx
+    def __init__(self, frame: Frame) -> None:
+        ctx, size = frame.renderer.ctx, frame.tier.prop_shadow_size
         self.size = size
         self.texture = ctx.depth_texture((2 * size, size))
         self.texture.compare_func = ""
         self.texture.filter = ctx.NEAREST, ctx.NEAREST
         self.texture.repeat_x = self.texture.repeat_y = False
         self.framebuffer = ctx.framebuffer(depth_attachment=self.texture)
-        self.batches = [Batch(ctx, held(frame)["meshes"]) for _ in range(2)]
+        self.batches = [Batch(ctx, meshes(frame)) for _ in range(2)]
         self.range_m = 1.0
 
     def release(self) -> None:
@@ -56,7 +55,13 @@ def squares(frame: Frame, way: np.ndarray) -> np.ndarray:
     """Middle x, y, z of both squares in the slid world and half their side, near and far, `(2, 4)`."""
     level, position = frame.level, frame.matrices.position
     forward = -frame.matrices.view[2]
-    above = max(float(position[2]) - max(float(ground_at(level, *position[:2])), level.sea_level_m), 1.0)
+    # water hides what lies deep in it; without water the floor is ground as any other
+    least = 0.0 if level.settings.water.on else -math.inf
+
+    def over_sea(xy: np.ndarray) -> float:
+        return max(float(ground_at(level, *xy)) - level.sea_level_m, least)
+
+    above = max(float(position[2]) - level.sea_level_m - over_sea(position[:2]), 1.0)
     away = above / max(-float(forward[2]), 0.12)  # to the ground that is looked at
     side = SMALLEST_M
     while side < 1.4 * away and side < LARGEST_M:
@@ -65,24 +70,25 @@ def squares(frame: Frame, way: np.ndarray) -> np.ndarray:
     found = []
     for part, most in ((NEAR, 0.36 * NEAR * side + 0.6 * above), (1.0, 0.36 * side)):
         target = position[:2] + forward[:2] / max(flat, 1e-6) * min(away * flat, most)
-        over = max(float(ground_at(level, *target)) - level.sea_level_m, 0.0)
         step = part * side / STEPS  # whole texels
-        middle = np.round((target - way * over) / step) * step
+        middle = np.round((target - way * over_sea(target)) / step) * step
         found.append((*middle, level.sea_level_m, part * side / 2))
     return np.array(found)
 
 
+def tallest_m(frame: Frame) -> float:
+    """How far the ground is from the still sea at most, which is the middle of the map's heights."""
+    low, high = frame.renderer.uploader.bounds.range
+    sea_m = frame.level.sea_level_m
+    return float(max(high - sea_m, sea_m - low, 1.0))
+
+
 def draw(frame: Frame) -> None:
-    level, kept, size = frame.level, held(frame), frame.tier.prop_shadow_size
-    if "map" not in kept or kept["map"].size != size:
-        if "map" in kept:
-            kept["map"].release()
-        kept["map"] = PropMap(frame, size)
-    made, sun = kept["map"], np.asarray(frame.uniforms["u_sun_direction"], np.float64)
+    level, made = frame.level, recent(frame, PropMap, frame.tier.name)
+    sun = np.asarray(frame.uniforms["u_sun_direction"], np.float64)
     way = slant(sun)
     found = squares(frame, way)
-    low, high = frame.renderer.uploader.bounds.range
-    range_m = 2.0 ** math.ceil(math.log2(max(high - low, 1.0) + 8.0))
+    range_m = 2.0 ** math.ceil(math.log2(tallest_m(frame) + 8.0 * max(level.settings.scatter.size, 1.0)))
     on = level.settings.scatter.on and level.settings.light.shadows and sun[2] > NIGHT
     for index, (batch, square) in enumerate(zip(made.batches, found, strict=True)):
         key = frame.tier.name, *sun, *square, range_m
@@ -94,14 +100,13 @@ def draw(frame: Frame) -> None:
     frame.uniforms["u_prop_squares"] = found.astype(np.float32)
     frame.uniforms["u_prop_slant"] = tuple(way)
     frame.uniforms["u_prop_range"] = range_m
-    frame.uniforms["u_prop_soft"] = size > 512
+    frame.uniforms["u_prop_soft"] = made.size > 512
 
 
 def _render(frame: Frame, made: PropMap, index: int, square: np.ndarray, way: np.ndarray, key: tuple) -> None:
     level, ctx, batch = frame.level, frame.renderer.ctx, made.batches[index]
     middle, half = square[:3], float(square[3])
-    high = frame.renderer.uploader.bounds.range[1]
-    reach = 1.5 * half + float(np.hypot(*way)) * max(high - level.sea_level_m, DEEPEST_M)
+    reach = 1.5 * half + math.hypot(1.0, *way) * tallest_m(frame)
     reached = {name: reach for name, kind in SCATTER.items() if casts(kind, 2 * half / made.size, frame)}
     # a thing counts where the square, slid back to its height, holds it
     planes = np.array([(x, y, -(x * way[0] + y * way[1]), half) for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1))])

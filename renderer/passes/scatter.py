@@ -6,54 +6,79 @@ import math
 
 import numpy as np
 
+from ..camera import camera_matrices
 from ..frame import Frame
-from ..scatter import Batch, Eye, Meshes, contacts, gather
+from ..scatter import CONTACT_FLOATS, Batch, Eye, Meshes, contacts, gather
 from ..uniforms import set_uniforms
 
 GUSTS = ((23.0, 4.2, 0.0), (8.3, 2.9, 0.6), (2.1, 1.7, -0.9))  # length m, speed m/s at 5 m/s of wind, turn rad
+KEPT = 2  # so many tiers and sizes
 MATERIALS = {"rocks": "ROCK", "driftwood": "WOOD", "grass": "GRASS"}
 
 
-def held(frame: Frame) -> dict:
-    """What this pass, contact and prop_shadow keep from frame to frame."""
-    kept = frame.renderer.kept.setdefault("scatter", {})
-    if not kept:
-        kept["meshes"] = Meshes(frame.renderer.ctx)
-        kept["seen"] = Batch(frame.renderer.ctx, kept["meshes"])
-    return kept
+class Seen:
+    """What is seen in pictures of one tier and size: groups on the GPU, dark feet for contact.py."""
+
+    def __init__(self, frame: Frame) -> None:
+        self.batch = Batch(frame.renderer.ctx, meshes(frame))
+        self.feet = np.empty((0, CONTACT_FLOATS), np.float32)
+        self.discs = None  # of these feet, made by contact.py
+
+    def release(self) -> None:
+        for thing in filter(None, (self.batch, self.discs)):
+            thing.release()
+
+
+def recent(frame: Frame, make, *key):
+    """`make(frame)`, kept by `key` of tier and size: what moves and what stands still may differ in both."""
+    kept, key = frame.renderer.kept.setdefault("scatter", {}), (make, *key)
+    thing = kept.pop(key, None) or make(frame)
+    kept[key] = thing  # the last one is the one used last
+    for old in [other for other in kept if other[0] is make][:-KEPT]:
+        kept.pop(old).release()
+    return thing
+
+
+def seen_in(frame: Frame) -> Seen:
+    return recent(frame, Seen, frame.tier.name, frame.size)
+
+
+def meshes(frame: Frame) -> Meshes:
+    """Those of all batches."""
+    kept = frame.renderer.kept
+    return kept.get("scatter_meshes") or kept.setdefault("scatter_meshes", Meshes(frame.renderer.ctx))
 
 
 def eye(frame: Frame) -> Eye:
-    return Eye(frame.matrices.position, frame.matrices.planes, frame.uniforms["u_pixel_angle"])
+    """One for all samples of a picture: without their jitter, a drawn pixel wider on each side."""
+    steady = camera_matrices(frame.camera, frame.full_size, frame.matrices.near_m)
+    steady.projection[:2] /= 1 + 2 / np.array(frame.size)[:, None]
+    return Eye(steady.position, steady.planes, frame.uniforms["u_pixel_angle"])
 
 
 def wind_uniforms(frame: Frame) -> dict:
-    """Gusts that run with the wind, their phases wrapped here; `u_wind_bend` in radians of lean."""
+    """Gusts that run about along `u_wind_way`, phases wrapped here; `u_wind_bend` in radians of lean."""
     sea, sway = frame.level.settings.sea, frame.level.settings.scatter.sway
     waves = []
     for length, speed, turn in GUSTS:
         heading = math.radians(90.0 - sea.swell_heading_deg) + turn
         phase = frame.time_s * speed * (0.4 + 0.12 * sea.wind_mps) / length
         waves.append((math.cos(heading) / length, math.sin(heading) / length, phase - math.floor(phase), 0.0))
-    heading = math.radians(90.0 - sea.swell_heading_deg)
     bend = sway * 0.55 * sea.wind_mps / (sea.wind_mps + 9.0)
-    return {
-        "u_gusts": np.array(waves, np.float32),
-        "u_wind_way": (math.cos(heading), math.sin(heading)),
-        "u_wind_bend": bend,
-    }
+    return {"u_gusts": np.array(waves, np.float32), "u_wind_bend": bend}
 
 
 def draw(frame: Frame) -> None:
     if not frame.level.settings.scatter.on:
         return
-    kept, ctx = held(frame), frame.renderer.ctx
-    batch, settings = kept["seen"], frame.level.settings.scatter
-    key = frame.tier.name, settings.distance_m, frame.matrices.planes.tobytes(), *frame.matrices.position, frame.size
+    seen, ctx = seen_in(frame), frame.renderer.ctx
+    batch, settings = seen.batch, frame.level.settings.scatter
+    seen_from = eye(frame)
+    key = frame.tier.name, settings.distance_m, seen_from.planes.tobytes(), *seen_from.position, frame.size
     if not batch.fresh(frame.level, *key):
-        groups = gather(frame.level, eye(frame), frame.tier)
+        groups = gather(frame.level, seen_from, frame.tier)
         frame.renderer.uploader.sent["scatter"] += batch.fill(frame.level, groups, *key)
-        kept["contacts"] = ContactRows(contacts(groups, eye(frame), frame.tier))
+        seen.feet = contacts(groups, seen_from, frame.tier)
     frame.targets.gbuffer.use()
     wind, mark = wind_uniforms(frame), {"MARK": ""} if frame.view.name == "scatter" else {}
     shaders = {}
@@ -72,14 +97,3 @@ def draw(frame: Frame) -> None:
     triangles, instances = batch.draw(shader)
     ctx.disable(ctx.DEPTH_TEST)
     frame.stats["scatter_triangles"], frame.stats["scatter_instances"] = triangles, instances
-
-
-class ContactRows:
-    """What contact.py draws, until it is gathered anew."""
-
-    def __init__(self, rows: np.ndarray) -> None:
-        self.rows = rows
-        self.sent = False
-
-    def release(self) -> None:
-        """Holds nothing on the GPU."""

@@ -1,11 +1,11 @@
-// Scattered things into the G-buffer (L09): ROCK, WOOD or GRASS says of what they are. With MARK: the kind's number in
-// place of foam, for the view of kinds.
+// Scattered things into the G-buffer (L09): ROCK, WOOD or GRASS says of what they are. With MARK: the kind's colour as
+// light, for the view of kinds.
 #include "lib/frame.glsl"
 
 #ifdef VERTEX
 #include "lib/scatter.glsl"
+#include "lib/wind.glsl"
 uniform vec4 u_gusts[3];    // wave vector 1/m, phase 0 … 1
-uniform vec2 u_wind_way;
 uniform float u_wind_bend;  // lean of a blade in a middling gust, rad
 uniform float u_kind_wind;
 out vec3 v_relative, v_normal, v_local;
@@ -79,7 +79,7 @@ Thing thing_at(vec3 p, vec3 n, float pixel_m, float height, out float porous) {
     float lichen = smoothstep(0.62, 0.85, 0.6 * broad.b + 0.4 * grain.g) * smoothstep(0.3, 0.8, n.z);
     tint = mix(tint, vec3(0.33, 0.32, 0.24), 0.4 * lichen * smoothstep(2.0, 5.0, height));
     // splash keeps large ones dark, as it does the land's rock (L06); small ones lie clean on the sand
-    float reach = u_shore_range_m * u_shore_runup + u_wet_splash_m;
+    float reach = max(u_shore_range_m * u_shore_runup + u_wet_splash_m, 0.01);
     float splash = 1.0 - smoothstep(0.55 * reach, 1.2 * reach, height + 0.9 * (broad.g - 0.5) + 0.5 * (grain.g - 0.5));
     tint *= mix(vec3(1.0), vec3(0.50, 0.51, 0.48), splash * smoothstep(0.15, 0.6, v_look.z) * smoothstep(-0.5, 0.0, height));
     vec3 bump = vec3(grain.g - 0.5, grain.b - 0.5, grain.r - 0.5) * 0.55 + vec3(broad.g, broad.b, broad.r) * 0.5 - 0.25;
@@ -91,7 +91,8 @@ Thing thing_at(vec3 p, vec3 n, float pixel_m, float height, out float porous) {
 #ifdef WOOD
 // Bleached by salt and sun: silver grey with dark grain along the trunk, browner where it is young or damp.
 Thing thing_at(vec3 p, vec3 n, float pixel_m, float height, out float porous) {
-    vec2 along = vec2(v_local.x * 0.16, atan(v_local.y, v_local.z) * 0.16 + v_look.w * 3.1);
+    float turn = dot(v_local.yz, v_local.yz) > 1e-12 ? atan(v_local.y, v_local.z) : 0.0;  // the middle of an end has none
+    vec2 along = vec2(v_local.x * 0.16, turn * 0.16 + v_look.w * 3.1);
     float lod = log2(max(pixel_m * NOISE_TEXELS * 0.9, 1e-4));
     vec4 grain = textureLod(u_noise, along * vec2(1.0, 3.0), lod);
     vec4 broad = textureLod(u_noise, along * 0.5 + 0.3, lod - 2.0);
@@ -132,12 +133,11 @@ void main() {
     thing.albedo *= mix(vec3(1.0), vec3(0.46, 0.46, 0.45), damp * porous * smoothstep(-0.5, -0.1, height));
     thing.roughness = mix(thing.roughness, 0.35, damp);
 #endif
-    float mark = 0.0;
+    vec3 shown = vec3(0.0);
 #ifdef MARK
-    thing.albedo = u_kind_colour;
-    mark = 1.0;
+    shown = u_kind_colour;
 #endif
-    write_gbuffer(Surface(thing.albedo, thing.open * v_look.y, thing.normal, thing.roughness, SPECULAR, LAND, mark, damp,
-                          vec3(0.0), eye_depth_of(v_relative), position.xy));
+    write_gbuffer(Surface(thing.albedo, thing.open * v_look.y, thing.normal, thing.roughness, SPECULAR, LAND, 0.0, damp,
+                          shown, eye_depth_of(v_relative), position.xy));
 }
 #endif
