@@ -32,11 +32,13 @@ class Messages(logging.Handler):
     def __init__(self) -> None:
         super().__init__(logging.INFO)
         self.lines: deque[Line] = deque(maxlen=MOST_LINES)
+        self._passing: Line | None = None
         self._shown_at = -1e9
 
     def emit(self, record: logging.LogRecord) -> None:
         detail = logging.Formatter().formatException(record.exc_info) if record.exc_info else ""
-        self._add(Line(record.levelno, record.getMessage(), detail))
+        line = Line(record.levelno, record.getMessage(), detail)
+        self._add(line, passing=line.bad)  # what goes well is for the log's panel alone
 
     def tell(self, text: str, level: int = logging.INFO) -> None:
         """Say something to the person at the window."""
@@ -47,10 +49,8 @@ class Messages(logging.Handler):
 
     def toast(self) -> Line | None:
         """The last line while it is fresh."""
-        if not self.lines:
-            return None
-        line = self.lines[-1]
-        lasts = BAD_TOAST_S if line.bad else TOAST_S
+        line = self._passing
+        lasts = BAD_TOAST_S if line is not None and line.bad else TOAST_S
         return line if time.monotonic() - self._shown_at < lasts else None
 
     def attach(self, name: str = "shorewright") -> None:
@@ -60,6 +60,7 @@ class Messages(logging.Handler):
     def detach(self, name: str = "shorewright") -> None:
         logging.getLogger(name).removeHandler(self)
 
-    def _add(self, line: Line) -> None:
+    def _add(self, line: Line, passing: bool = True) -> None:
         self.lines.append(line)
-        self._shown_at = time.monotonic()
+        if passing:
+            self._passing, self._shown_at = line, time.monotonic()

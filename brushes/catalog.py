@@ -127,7 +127,7 @@ BRUSHES: dict[str, Brush] = {
         ),
         Brush(
             "driftwood",
-            "Driftwood",
+            "Wood",
             "7",
             Paint,
             Round,
