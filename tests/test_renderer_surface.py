@@ -130,3 +130,32 @@ def test_mesh_and_horizon_plane_look_alike_where_they_join(renderer, monkeypatch
     joined = (away > 430) & (away < 2500)  # plane in the first, mesh in the second
     assert joined.sum() > 100
     assert np.abs(shots[0] - shots[1])[joined].max() <= 2
+
+
+def beyond_the_border(renderer, height: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What is drawn north of a level, `(n, 3)` world points, and the height of their mirror images in it."""
+    level, side = Level(Grid(*height.shape), height), height.shape[0]
+    place = camera(x=128.0, y=side + 50.0, z=160.0, yaw=0.0, pitch=-90.0, fov=30.0)
+    found = render(level, place, (64, 64), view="position", linear=True, show=Show.hide("water"), renderer=renderer)
+    points = found.reshape(-1, 3)[found.reshape(-1, 3)[:, 1] > side + 10]
+    cells = np.rint([2 * (side - 1) - points[:, 1], points[:, 0]]).astype(int)
+    return points, height[cells[0], cells[1]]
+
+
+def test_land_goes_on_as_its_mirror_image(renderer):
+    """Beyond the border (D41, L05): bumps stand there as they do inside, no furrow runs out of one."""
+    y, x = np.mgrid[0:257, 0:257]
+    height = (12 + 3 * np.sin(x / 9) * np.cos(y / 11)).astype(np.float32)
+    points, mirrored = beyond_the_border(renderer, height)
+    assert len(points) > 1000
+    assert np.abs(points[:, 2] - mirrored).max() < 0.8
+    assert np.ptp(points[:, 2]) > 4
+
+
+def test_no_land_rises_where_the_border_is_sea(renderer):
+    """An island near the border of deep water isn't seen twice."""
+    y, x = np.mgrid[0:257, 0:257]
+    height = (30 * np.exp(-((x - 128) ** 2 + (y - 200) ** 2) / 300) - 12).astype(np.float32)
+    points, mirrored = beyond_the_border(renderer, height)
+    assert mirrored.max() > 10
+    assert points[:, 2].max() < -10
