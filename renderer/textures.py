@@ -118,10 +118,10 @@ class Textures:
 
 def _make(name: str) -> np.ndarray:
     """A set from the cache, or made for it."""
+    patterns = Path(tiling.__file__).read_text()  # the code that all depend on besides their own
     if name in SHARED:
-        return cached(name, SHARED[name], made.__file__)
+        return cached(name, SHARED[name], made.__file__, patterns)
     size = int(name.split()[1])
-    patterns = Path(tiling.__file__).read_text()  # the code that it depends on besides its own
     return cached(f"ground{size}", lambda: ground_textures.ground_textures(size), ground_textures.__file__, patterns)
 
 
