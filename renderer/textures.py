@@ -23,7 +23,7 @@ from .cache import cached
 from .quality import Tier
 
 log = logging.getLogger(__name__)
-COARSE = 64  # samples a side of what stands in
+COARSE = tiling.DRAFT  # samples a side of what stands in
 DETAIL = ("u_ground_shape", "u_ground_colour", "u_foam")
 SHARED = {
     "noise": lambda size=made.SIZE: made.noise_texture(size),
@@ -92,7 +92,7 @@ class Textures:
         self.update(tier)
 
     def _stand_in(self, name: str) -> None:
-        """A coarse one, made in a few hundredths of a second, where there is none of its kind."""
+        """A coarse one where there is none of its kind: a tenth of a second for all, most of it for the ground."""
         kind = name.split()[0]
         if not any(held.split()[0] == kind for held in self._sets):
             make = SHARED.get(kind, ground_textures.ground_textures)
