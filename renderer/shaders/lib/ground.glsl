@@ -159,7 +159,7 @@ float rougher(float roughness, float variance) {
 
 // Dark and slimy rock, up to where the splash reaches; the weight of rock.
 float splash_on(inout Ground g, Site s, float rock) {
-    float top = u_swash_top_m + u_wet_splash_m;
+    float top = max(u_swash_top_m + u_wet_splash_m, 0.01);
     float splash = rock * (1.0 - smoothstep(0.5 * top, 1.25 * top, s.height + 1.2 * s.ragged));
     g.albedo *= mix(vec3(1.0), vec3(0.42, 0.43, 0.40), splash);
     g.roughness = mix(g.roughness, 0.45, splash * smoothstep(-0.3, 0.2, s.height));

@@ -1,7 +1,7 @@
 // What the land round a point does to its light: the coast in the water. The sky it hides: lib/openness.glsl.
 #include "lib/height.glsl"
 
-// Share of a mirror ray from the water that ends on land: six heights along it.
+// Share of a mirror ray from the water that ends on land: seven heights along it.
 float land_in_mirror(vec3 position, vec3 ray) {
     float hit = 0.0, way = 2.5;
     for (int i = 0; i < 7; ++i) {
