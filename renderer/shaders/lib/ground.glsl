@@ -134,7 +134,7 @@ Macro macro_at(vec3 p, Site s, float pixel_m) {
     grass = mix(grass, vec3(0.50, 0.56, 0.58), 0.85 * scrub * smoothstep(2.5, 6.0, s.height));
 
     // beds of stone: thick bands of colour and courses, dipping and bent; the textures have the thin lines
-    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 3.2 * (broad.r - 0.5);
+    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 5.0 * (broad.r - 0.5);
     vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
     vec3 rock = mix(vec3(0.72, 0.72, 0.74), vec3(1.22, 1.20, 1.16), smoothstep(0.25, 0.75, band.g));
     rock = mix(rock, vec3(1.30, 1.04, 0.80), 0.6 * smoothstep(0.62, 0.95, band.r));
@@ -183,7 +183,7 @@ Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer)
     vec3 shares;
     ground_weights(s, weights);
     heaviest(weights, layers, shares);
-    Patch tile = small_patch(position.xy, pixel_m);
+    Patch tile = small_patch(position.xy, s.broad, s.mid, pixel_m);
     Macro macro = macro_at(position, s, pixel_m);
     Sample samples[MOST_LAYERS];
     float over[MOST_LAYERS];

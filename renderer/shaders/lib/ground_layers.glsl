@@ -35,22 +35,36 @@ Patch patch_at(float place, float edge) {
     return Patch(patch_shift(index), patch_shift(index + 1.0), smoothstep(0.5 - edge, 0.5 + edge, place - index));
 }
 
-// Patches some ten metres wide for the materials, and broad ones for the noise that tints them.
+// Patches some ten metres wide for the materials, and broad ones for the noise that tints them. With GROUND_CHEAP one
+// shift a patch and a ragged border, from noise that is there already.
 #ifdef GROUND_CHEAP
-Patch small_patch(vec2 xy, float pixel_m) { return Patch(vec2(0.0), vec2(0.0), 0.0); }
+const float WIDE_EDGE = 0.35;
+Patch small_patch(vec2 xy, vec4 broad, vec4 mid, float pixel_m) {
+    vec2 shift = patch_shift(floor(13.0 * broad.r + 0.6 * mid.b));
+    return Patch(shift, shift, 0.0);
+}
 #else
-Patch small_patch(vec2 xy, float pixel_m) { return patch_at(11.0 * noise_at(turn(xy, 0.25, 0.968), 307.0, pixel_m).r, 0.12); }
+const float WIDE_EDGE = 0.45;
+Patch small_patch(vec2 xy, vec4 broad, vec4 mid, float pixel_m) {
+    return patch_at(25.0 * noise_at(turn(xy, 0.25, 0.968), 449.0, pixel_m).r, 0.12);
+}
 #endif
-Patch wide_patch(vec2 xy, float pixel_m) { return patch_at(9.0 * noise_at(turn(xy, -0.66, 0.751), 877.0, pixel_m).r, 0.45); }
+// Smooth enough to need no coarser mip levels, between which patches would jump.
+Patch wide_patch(vec2 xy, float pixel_m) {
+    return patch_at(12.0 * noise_at(turn(xy, -0.66, 0.751), 877.0, min(pixel_m, 2.0)).r, WIDE_EDGE);
+}
 
-// Noise without a period: two shifts of it, blended so that its contrast stays (Heitz & Neyret 2018).
+// Noise without a period: two shifts of it, blended so that its contrast stays (Heitz & Neyret 2018). With GROUND_CHEAP
+// one, which fades to its mean at the border.
 vec4 free_noise(vec2 xy, float tile_m, float pixel_m, Patch tile) {
+#ifdef GROUND_CHEAP
+    vec2 shift = tile.share < 0.5 ? tile.one : tile.other;
+    return mix(vec4(0.5), noise_at(xy + shift * tile_m, tile_m, pixel_m), abs(2.0 * tile.share - 1.0));
+#else
     vec4 noise = noise_at(xy + tile.one * tile_m, tile_m, pixel_m);
-#ifndef GROUND_CHEAP
     noise = mix(noise, noise_at(xy + tile.other * tile_m, tile_m, pixel_m), tile.share) - 0.5;
-    noise = clamp(0.5 + noise * inversesqrt(1.0 - 2.0 * tile.share * (1.0 - tile.share)), 0.0, 1.0);
+    return clamp(0.5 + noise * inversesqrt(1.0 - 2.0 * tile.share * (1.0 - tile.share)), 0.0, 1.0);
 #endif
-    return noise;
 }
 
 // sRGB to linear, a polynomial that leaves the curve by less than 0.002.
@@ -75,7 +89,7 @@ Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile, vec2
         one = other;
         u_one = u_other;
     }
-    vec3 at = vec3(one / row.x, float(layer));
+    vec3 at = vec3(one / row.x + (upright ? vec2(0.0) : tile.one), float(layer));
     vec4 shape = textureLod(u_ground_shape, at, lod), colour = textureLod(u_ground_colour, at, lod);
     vec2 slope = shape.xy * 2.0 - 1.0;
     vec3 lean = slope.x * u_one + slope.y * v;
