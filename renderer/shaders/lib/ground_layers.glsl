@@ -9,8 +9,9 @@ uniform vec4 u_ground_layers[8];         // tile_m, amplitude_m, steepest (heigh
 
 const int SAND = 0, SHINGLE = 1, STRATA = 2, REEF = 3, GRASS = 4, DUNE = 5, FLOOR = 6, WEED = 7, LAYERS = 8;
 // how much of the layer's second, larger scale is added; how many tiles of the first one it is long
-const float FAR[8] = float[8](0.22, 0.3, 0.40, 0.6, 0.5, 0.0, 0.3, 0.4);
+const float FAR[8] = float[8](0.12, 0.3, 0.40, 0.6, 0.5, 0.0, 0.3, 0.4);
 const float FAR_TILES = 6.3;
+const float COMBED = 0.2;  // share of the bend that ripples take: the wind makes no whorls
 const float STRANDS_LOD = 2.5;  // blades of the larger scale would be ropes: only their clumps are used
 
 // A place's own shift of the tiles: neighbouring patches show different parts of a tile, so that none is seen to repeat.
@@ -107,7 +108,7 @@ Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile, vec2
     // the larger scale: height and slope only
     float far_m = row.x * FAR_TILES, far_lod = ground_lod(far_m, pixel_m);
     if (layer >= GRASS && layer != FLOOR) far_lod = max(far_lod, STRANDS_LOD);
-    vec2 way = upright ? mix(one, other, step(0.5, share)) : turn(p.xy, -0.59, 0.807) + bent_m;
+    vec2 way = upright ? mix(one, other, step(0.5, share)) : turn(p.xy, -0.59, 0.807) + bent_m * (layer == SAND || layer == FLOOR ? COMBED : 1.0);
     vec4 far = textureLod(u_ground_shape, vec3(way / far_m, float(layer)), far_lod);
     far.xy = far.xy * 2.0 - 1.0;
     if (!upright) far.xy = turn(far.xy, 0.59, 0.807);
