@@ -128,7 +128,7 @@ Macro macro_at(vec3 p, Site s, float pixel_m) {
     vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m), patchy = free_noise(turn(p.xy, 0.6, 0.8), 67.0, pixel_m, s.wide);
     // dry on steep ground, green in the broad hollows
     float dry = 0.55 * wide.g + 0.30 * broad.g + 0.22 * mid.r + 0.8 * (1.0 - s.normal.z) + 0.16 * (patchy.b - 0.5) - 0.05;
-    vec3 grass = mix(vec3(0.84, 0.94, 0.88), vec3(1.62, 1.14, 1.20), smoothstep(0.20, 0.86, dry));
+    vec3 grass = mix(vec3(0.88, 0.95, 1.00), vec3(1.52, 1.15, 1.12), smoothstep(0.20, 0.86, dry));
     // scrub in thickets
     float scrub = smoothstep(0.74, 0.98, 0.45 * patchy.r + 0.25 * patchy.b + 0.55 * (1.0 - wide.r) + 0.25 * (mid.b - 0.5));
     grass = mix(grass, vec3(0.50, 0.56, 0.58), 0.85 * scrub * smoothstep(2.5, 6.0, s.height));
@@ -146,7 +146,7 @@ Macro macro_at(vec3 p, Site s, float pixel_m) {
 
 vec3 macro_tint(Macro macro, int layer) {
     if (layer == GRASS) return macro.grass;
-    if (layer == DUNE) return mix(vec3(0.96, 1.0, 0.90), macro.grass / 1.2, 0.3);  // half of it is sand
+    if (layer == DUNE) return mix(vec3(0.97, 0.99, 0.95), macro.grass / 1.2, 0.3);  // half of it is sand
     if (layer == STRATA || layer == REEF) return macro.rock;
     return layer == WEED ? vec3(1.0) : macro.sand;
 }
