@@ -1,5 +1,5 @@
 // The eight generated ground materials (L05; level/ground_textures.py): every layer is two fetches of both arrays, for
-// two patches of level ground or for the two upright planes of a cliff, and one of a larger scale. Software runs both
+// two patches of level ground or for the two upright planes of a steep one, and one of a larger scale. Software runs both
 // sides of every branch, so that what differs between layers is numbers and not code. With GROUND_CHEAP: one fetch.
 #include "lib/noise.glsl"
 
@@ -12,6 +12,7 @@ const int SAND = 0, SHINGLE = 1, STRATA = 2, REEF = 3, GRASS = 4, DUNE = 5, FLOO
 const float FAR[8] = float[8](0.12, 0.3, 0.40, 0.6, 0.5, 0.0, 0.3, 0.4);
 const float FAR_TILES = 6.3;
 const float COMBED = 0.2;  // share of the bend that ripples take: the wind makes no whorls
+const float STEEP = 0.77;  // z of the normal, some 40 degrees
 const float STRANDS_LOD = 2.5;  // blades of the larger scale would be ropes: only their clumps are used
 
 // A place's own shift of the tiles: neighbouring patches show different parts of a tile, so that none is seen to repeat.
@@ -78,7 +79,8 @@ float ground_lod(float tile_m, float pixel_m) {
 // `bent_m` moves the larger scale, so that its tiles are not seen to repeat.
 Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile, vec2 bent_m) {
     vec4 row = u_ground_layers[layer];
-    bool upright = layer == STRATA;
+    // where level tiles would be drawn long, steep ground has the cliffs' planes; the border between is ragged
+    bool upright = layer == STRATA || n.z < STEEP + 0.006 * bent_m.x;
     float east = n.x * n.x / max(n.x * n.x + n.y * n.y, 1e-4);  // which way a cliff faces
     // beds lie level: y is the height on both upright planes, so that they run on round a corner
     vec2 one = upright ? p.yz : p.xy, other = upright ? p.xz : p.xy;
@@ -116,6 +118,6 @@ Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile, vec2
     shape.z = clamp(shape.z + FAR[layer] * (far.z - 0.5), 0.0, 1.0);
 #endif
     float steepest = row.z * row.y / row.x;
-    vec3 albedo = linear_colour(colour.rgb) * (1.0 + (upright ? 0.7 : FAR[layer]) * (shape.z - 0.5));
+    vec3 albedo = linear_colour(colour.rgb) * (1.0 + (layer == STRATA ? 0.7 : FAR[layer]) * (shape.z - 0.5));
     return Sample(lean * steepest, shape.z, shape.w, albedo, max(2.0 * colour.a - dot(slope, slope), 0.0) * steepest * steepest);
 }
