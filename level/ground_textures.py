@@ -168,7 +168,7 @@ def _grass(size: int, seed: int):
     dome = np.maximum(1 - 1.2 * tuft.first, 0) * (0.35 + tuft.number)
     height = 1.5 * dome + 0.26 * blades + 0.5 * (1 - low.first) + 0.12 * under + 0.35 * clump
     tint = 0.45 + 0.20 * blades + 0.10 * under + 0.22 * (tuft.other - 0.5) + 0.25 * (dome - 0.3)
-    albedo = mix((0.054, 0.068, 0.026), (0.170, 0.190, 0.085), tint)
+    albedo = mix((0.058, 0.066, 0.034), (0.166, 0.177, 0.100), tint)
     straw = smooth(0.9, 1.9, blades + 1.2 * (low.other - 0.5) + 0.4 * clump)
     albedo = mix(albedo, (0.30, 0.255, 0.14), 0.65 * straw)
     return height, albedo, np.full_like(height, 0.93)
@@ -182,7 +182,7 @@ def _dune(size: int, seed: int):
     sand = 0.12 * ripples(size, seed + 41, 30, 5.0, 0.9) + 0.08 * waves(size, seed + 42, 1.5, 2, 60)
     height = sand + cover * (0.9 + 1.3 * np.maximum(0.7 - tuft.first, 0) + 0.36 * blades)
     ground = mix((0.375, 0.305, 0.215), (0.50, 0.435, 0.335), 0.45 + 0.15 * waves(size, seed + 43, 0.3, 40))
-    green = mix((0.055, 0.072, 0.028), (0.235, 0.245, 0.105), 0.42 + 0.30 * blades + 0.3 * (tuft.other - 0.5))
+    green = mix((0.062, 0.072, 0.040), (0.228, 0.234, 0.130), 0.42 + 0.30 * blades + 0.3 * (tuft.other - 0.5))
     shade = smooth(0.30, 0.0, tuft.first - reach) * 0.25 * (1 - cover)
     return height, mix(ground * (1 - shade)[..., None], green, cover), 0.9 + 0.02 * cover
 

@@ -1,6 +1,7 @@
 """Seeded patterns that tile, the same at every resolution: each is made of waves or points whose number is fixed.
 
-A smaller picture leaves out the waves that it can't hold (its spectrum is cropped) and asks the same feature points.
+A smaller picture leaves out the waves that it can't hold (its spectrum is cropped) and asks the same feature points; a
+draft, whose only worth is to be there at once, draws other waves and none that it can't hold.
 Lengths are in tiles, counts in a tile; arrays are `(size, size)`, row 0 at y = 0.
 """
 
@@ -12,16 +13,17 @@ import numpy as np
 from scipy.ndimage import map_coordinates
 
 FINEST = 511  # cycles a tile that 1024 samples hold
+DRAFT = 64  # samples a side, up to which a picture only stands in
 
 
 def _field(size: int, seed: int, weight, most: int) -> np.ndarray:
     """Complex field of random waves, kx ≥ 0 only, each of amplitude `weight(kx, ky)`; its real part has deviation 1."""
     rng = np.random.default_rng(seed)
-    most = min(most, FINEST)
+    most = min(most, FINEST if size > DRAFT else size // 2 - 1)
     ky, kx = np.meshgrid(np.arange(-most, most + 1), np.arange(most + 1), indexing="ij")
     waves = rng.standard_normal((*kx.shape, 2)).view(np.complex128)[..., 0] * weight(kx, ky)
     waves[:, 0] *= ky[:, 0] > 0  # one of each pair of opposite waves
-    waves /= np.sqrt((np.abs(waves) ** 2).sum() / 2)
+    waves /= max(np.sqrt((np.abs(waves) ** 2).sum() / 2), 1e-9)
     kept = min(most, size // 2 - 1)
     spectrum = np.zeros((size, size), np.complex128)
     rows = np.arange(-kept, kept + 1)

@@ -23,7 +23,7 @@ from .cache import cached
 from .quality import Tier
 
 log = logging.getLogger(__name__)
-COARSE = 64  # samples a side of what stands in
+COARSE = tiling.DRAFT  # samples a side of what stands in
 DETAIL = ("u_ground_shape", "u_ground_colour", "u_foam")
 SHARED = {
     "noise": lambda size=made.SIZE: made.noise_texture(size),
@@ -92,7 +92,7 @@ class Textures:
         self.update(tier)
 
     def _stand_in(self, name: str) -> None:
-        """A coarse one, made in a few hundredths of a second, where there is none of its kind."""
+        """A coarse one where there is none of its kind: a tenth of a second for all, most of it for the ground."""
         kind = name.split()[0]
         if not any(held.split()[0] == kind for held in self._sets):
             make = SHARED.get(kind, ground_textures.ground_textures)
@@ -118,10 +118,10 @@ class Textures:
 
 def _make(name: str) -> np.ndarray:
     """A set from the cache, or made for it."""
+    patterns = Path(tiling.__file__).read_text()  # the code that all depend on besides their own
     if name in SHARED:
-        return cached(name, SHARED[name], made.__file__)
+        return cached(name, SHARED[name], made.__file__, patterns)
     size = int(name.split()[1])
-    patterns = Path(tiling.__file__).read_text()  # the code that it depends on besides its own
     return cached(f"ground{size}", lambda: ground_textures.ground_textures(size), ground_textures.__file__, patterns)
 
 

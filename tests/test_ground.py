@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from scenes import camera
 from scipy.ndimage import gaussian_filter
+from scipy.spatial import cKDTree
 from shorewright.level import Grid, Level, Rect
 from shorewright.level.ground_textures import MATERIALS
 from shorewright.level.objects import Camera
@@ -84,11 +85,34 @@ def autocorrelation(field: np.ndarray) -> np.ndarray:
     return np.where(share > 0.3, found / found[0, 0], 0.0)
 
 
+def cones(x: np.ndarray, y: np.ndarray) -> np.ndarray:
+    """Slopes of 1.4 that face all ways: on a plain one the beds would be straight lines."""
+    feet = np.random.default_rng(5).uniform(-360, 360, (40, 2))
+    return 40 + 1.4 * cKDTree(feet).query(np.stack([x, y], -1))[0]
+
+
+WIDE = {  # 500 m of each material: the level and what is painted on it
+    "sand": (lambda: flat(1.6, 701, **DRY), None),
+    "shingle": (lambda: flat(0.5, 701, ground__shingle=1.0), None),
+    "strata": (lambda: ground(cones, 701, **DRY), None),
+    "reef": (lambda: flat(30.0, 701), 1),
+    "grass": (lambda: flat(30.0, 701), None),
+    "dune grass": (lambda: flat(4.6, 701), None),
+    "sea floor": (lambda: flat(-3.0, 701, water__on=False, ground__weed=0.0), None),
+    "weed": (lambda: flat(-6.0, 701, water__on=False, ground__weed=1.0), None),
+}
+
+
 @pytest.mark.parametrize("quality", ["low", "medium"])
-@pytest.mark.parametrize("name", ["sand", "grass"])
+@pytest.mark.parametrize("name", COLOURS)
 def test_no_period_is_seen_from_above(renderer, name, quality):
     """500 m of one ground: no shift beyond a few pixels lays the picture over itself (L05)."""
-    level = flat(1.6, 701, **DRY) if name == "sand" else flat(30.0, 701)
+    make, channel = WIDE[name]
+    level = make()
+    if channel is not None:
+        level.write("cover", Rect(0, 0, 701, 701), np.eye(4, dtype=np.float32)[channel])
+    shares = dominant(renderer, level, 400.0)
+    assert max(shares, key=shares.get) == name
     seen = luminance(from_above(renderer, level, 500.0, 320, "albedo", quality))
     found = autocorrelation(seen)
     shift = np.minimum(np.arange(640), 640 - np.arange(640))

@@ -58,6 +58,27 @@ def test_what_mip_levels_lose_of_the_slope_is_its_variance(index):
     assert 0.1 < lost.mean() / square.mean() <= 1
 
 
+def test_what_stands_in_has_the_colours_of_what_comes():
+    """Each layer's mean albedo, height and roughness are the fine one's within 6/255: nothing jumps when it arrives."""
+    draft, fine = (ground_textures.__wrapped__(size).astype(float).mean((2, 3)) for size in (COARSE, 256))
+    assert np.abs(draft - fine)[..., :3].max() < 6
+
+
+@pytest.mark.parametrize("name", ["noise", "foam", "ripple", "ground 256"])
+def test_what_is_kept_on_disk_depends_on_the_patterns_code(name, monkeypatch, tmp_path):
+    """All sets are made of tiling.py's patterns: other code there is another key."""
+    from shorewright.renderer import textures as module
+
+    asked = []
+    monkeypatch.setattr(module, "cached", lambda *what: asked.append(what[2:]))
+    module._make(name)
+    other = tmp_path / "tiling.py"
+    other.write_text("# other patterns")
+    monkeypatch.setattr(module.tiling, "__file__", str(other))
+    module._make(name)
+    assert asked[0] != asked[1]
+
+
 def test_colours_are_srgb():
     assert encode(np.array([0.0, 0.0031308, 0.18, 1.0])) == pytest.approx([0, 0.04045, 0.4613, 1], abs=1e-4)
 

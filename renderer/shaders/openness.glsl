@@ -1,5 +1,5 @@
-// How much sky each sample of the ground sees: horizons in WAYS directions out to u_reach_m, and from the same heights
-// how broken the ground is. The surface's own plane hides nothing: its tilt is in the light's cosine already.
+// How much sky each sample of the ground sees: horizons in WAYS directions out to the last of u_steps, and from the
+// same heights how broken the ground is. The surface's own plane hides nothing: its tilt is in the light's cosine already.
 #include "lib/height.glsl"
 
 #ifdef VERTEX

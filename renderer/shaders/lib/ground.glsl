@@ -128,13 +128,13 @@ Macro macro_at(vec3 p, Site s, float pixel_m) {
     vec4 wide = noise_at(turn(p.xy, -0.8, 0.6), 710.0, pixel_m), patchy = free_noise(turn(p.xy, 0.6, 0.8), 67.0, pixel_m, s.wide);
     // dry on steep ground, green in the broad hollows
     float dry = 0.55 * wide.g + 0.30 * broad.g + 0.22 * mid.r + 0.8 * (1.0 - s.normal.z) + 0.16 * (patchy.b - 0.5) - 0.05;
-    vec3 grass = mix(vec3(0.84, 0.94, 0.88), vec3(1.62, 1.14, 1.20), smoothstep(0.20, 0.86, dry));
+    vec3 grass = mix(vec3(0.88, 0.95, 1.00), vec3(1.52, 1.15, 1.12), smoothstep(0.20, 0.86, dry));
     // scrub in thickets
     float scrub = smoothstep(0.74, 0.98, 0.45 * patchy.r + 0.25 * patchy.b + 0.55 * (1.0 - wide.r) + 0.25 * (mid.b - 0.5));
     grass = mix(grass, vec3(0.50, 0.56, 0.58), 0.85 * scrub * smoothstep(2.5, 6.0, s.height));
 
     // beds of stone: thick bands of colour and courses, dipping and bent; the textures have the thin lines
-    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 3.2 * (broad.r - 0.5);
+    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 5.0 * (broad.r - 0.5);
     vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
     vec3 rock = mix(vec3(0.72, 0.72, 0.74), vec3(1.22, 1.20, 1.16), smoothstep(0.25, 0.75, band.g));
     rock = mix(rock, vec3(1.30, 1.04, 0.80), 0.6 * smoothstep(0.62, 0.95, band.r));
@@ -146,7 +146,7 @@ Macro macro_at(vec3 p, Site s, float pixel_m) {
 
 vec3 macro_tint(Macro macro, int layer) {
     if (layer == GRASS) return macro.grass;
-    if (layer == DUNE) return mix(vec3(0.96, 1.0, 0.90), macro.grass / 1.2, 0.3);  // half of it is sand
+    if (layer == DUNE) return mix(vec3(0.97, 0.99, 0.95), macro.grass / 1.2, 0.3);  // half of it is sand
     if (layer == STRATA || layer == REEF) return macro.rock;
     return layer == WEED ? vec3(1.0) : macro.sand;
 }
@@ -159,7 +159,7 @@ float rougher(float roughness, float variance) {
 
 // Dark and slimy rock, up to where the splash reaches; the weight of rock.
 float splash_on(inout Ground g, Site s, float rock) {
-    float top = u_swash_top_m + u_wet_splash_m;
+    float top = max(u_swash_top_m + u_wet_splash_m, 0.01);
     float splash = rock * (1.0 - smoothstep(0.5 * top, 1.25 * top, s.height + 1.2 * s.ragged));
     g.albedo *= mix(vec3(1.0), vec3(0.42, 0.43, 0.40), splash);
     g.roughness = mix(g.roughness, 0.45, splash * smoothstep(-0.3, 0.2, s.height));
@@ -183,7 +183,7 @@ Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer)
     vec3 shares;
     ground_weights(s, weights);
     heaviest(weights, layers, shares);
-    Patch tile = small_patch(position.xy, pixel_m);
+    Patch tile = small_patch(position.xy, s.broad, s.mid, pixel_m);
     Macro macro = macro_at(position, s, pixel_m);
     Sample samples[MOST_LAYERS];
     float over[MOST_LAYERS];

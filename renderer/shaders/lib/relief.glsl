@@ -15,7 +15,7 @@ float material_relief(vec3 p, float away, float fade) {
     vec3 shares;
     ground_weights(site, weights);
     heaviest(weights, layers, shares);
-    Patch tile = small_patch(p.xy, pixel_m);
+    Patch tile = small_patch(p.xy, site.broad, site.mid, pixel_m);
     float wave = smoothstep(u_swash_top_m, u_swash_top_m + 0.5, height) + 1.0 - smoothstep(-1.2, -0.5, height);
     float sum = 0.0;
     for (int k = 0; k < 2; ++k) {
