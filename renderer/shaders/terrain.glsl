@@ -60,6 +60,7 @@ void main() {
     vec3 flat_normal = normalize(cross(dFdx(v_relative), dFdy(v_relative)));
     float pixel_m = pixel_metres(v_relative, flat_normal);
     vec3 normal = ground_normal(slope_filtered(position.xy, pixel_m));
+    pixel_m = pixel_metres(v_relative, normal);  // of the smooth ground: by triangle it would show them
     vec2 torn = torn_at(position.xy, pixel_m);
     Site site = terrain_site(position.xy, normal, position.z - u_still_m, torn, pixel_m);
     Wet wet = shore_wet(position.xy, site.height, pixel_m);

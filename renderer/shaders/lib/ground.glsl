@@ -43,7 +43,11 @@ Site site_at(vec2 xy, vec3 normal, float height, float rough, float open, vec4 c
 }
 
 // How far the larger scale of the materials is moved here.
-vec2 bent_at(Site s) { return 14.0 * vec2(s.broad.r, s.broad.g) - 7.0; }
+// Worked out and not looked up: a texture's 256 steps, made metres, would show.
+vec2 bent_at(vec2 xy) {
+    return 4.4 * vec2(sin(0.031 * xy.x + 1.7 * sin(0.017 * xy.y)) + 0.6 * sin(0.083 * xy.y + 1.1 * sin(0.041 * xy.x)),
+                      sin(0.029 * xy.y + 1.9 * sin(0.019 * xy.x + 2.0)) + 0.6 * sin(0.077 * xy.x + sin(0.053 * xy.y)));
+}
 
 void lay_over(inout float weights[LAYERS], int layer, float share) {
     for (int i = 0; i < LAYERS; ++i) weights[i] *= 1.0 - share;
@@ -134,7 +138,8 @@ Macro macro_at(vec3 p, Site s, float pixel_m) {
     grass = mix(grass, vec3(0.50, 0.56, 0.58), 0.85 * scrub * smoothstep(2.5, 6.0, s.height));
 
     // beds of stone: thick bands of colour and courses, dipping and bent; the textures have the thin lines
-    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 5.0 * (broad.r - 0.5);
+    vec2 bent = bent_at(p.xy);
+    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 0.36 * (bent.x + bent.y);
     vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
     vec3 rock = mix(vec3(0.72, 0.72, 0.74), vec3(1.22, 1.20, 1.16), smoothstep(0.25, 0.75, band.g));
     rock = mix(rock, vec3(1.30, 1.04, 0.80), 0.6 * smoothstep(0.62, 0.95, band.r));
@@ -171,7 +176,7 @@ void wet_through(inout Ground g, vec3 normal, float wet) {
     g.albedo *= mix(vec3(1.0), vec3(0.50, 0.49, 0.48), wet);
     g.roughness = mix(g.roughness, 0.30, wet);
     g.specular = mix(g.specular, 0.025, wet);
-    g.normal = normalize(mix(g.normal, normal, 0.6 * wet));
+    g.normal = normalize(mix(g.normal, normal, 0.75 * wet));  // and the sheet levels the ripples
 }
 
 // `wet` 0 … 1 from the swash; `layer` is the one that shows most.
@@ -191,7 +196,7 @@ Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer)
     for (int k = 0; k < MOST_LAYERS; ++k) {
         over[k] = -9.0;
         if (shares[k] < LEAST) continue;
-        samples[k] = ground_sampled(layers[k], position, s.normal, pixel_m, tile, bent_at(s));
+        samples[k] = ground_sampled(layers[k], position, s.normal, pixel_m, tile, bent_at(position.xy));
         vec3 tint = macro_tint(macro, layers[k]);
         if (layers[k] == SAND) samples[k].lean *= mix(0.25, 1.1, smoothstep(0.3, 0.7, 0.6 * s.mid.g + 0.4 * s.broad.b));
         samples[k].albedo *= mix(vec3(1.0), tint, u_ground_macro);

@@ -88,7 +88,7 @@ Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile, vec2
     vec3 v = upright ? vec3(0.0, 0.0, 1.0) : vec3(0.0, 1.0, 0.0);
     float lod = ground_lod(row.x, pixel_m);
 #ifdef GROUND_CHEAP
-    if (upright && east < 0.5) {
+    if (upright && east < 0.5 + 0.03 * bent_m.y) {
         one = other;
         u_one = u_other;
     }
@@ -110,8 +110,10 @@ Sample ground_sampled(int layer, vec3 p, vec3 n, float pixel_m, Patch tile, vec2
     // the larger scale: height and slope only
     float far_m = row.x * FAR_TILES, far_lod = ground_lod(far_m, pixel_m);
     if (layer >= GRASS && layer != FLOOR) far_lod = max(far_lod, STRANDS_LOD);
-    vec2 way = upright ? mix(one, other, step(0.5, share)) : turn(p.xy, -0.59, 0.807) + bent_m * (layer == SAND || layer == FLOOR ? COMBED : 1.0);
-    vec4 far = textureLod(u_ground_shape, vec3(way / far_m, float(layer)), far_lod);
+    vec2 level_way = turn(p.xy, -0.59, 0.807) + bent_m * (layer == SAND || layer == FLOOR ? COMBED : 1.0);
+    vec4 far = textureLod(u_ground_shape, vec3((upright ? one : level_way) / far_m, float(layer)), far_lod);
+    vec4 far_other = textureLod(u_ground_shape, vec3((upright ? other : level_way) / far_m, float(layer)), far_lod);
+    far = mix(far, far_other, share);
     far.xy = far.xy * 2.0 - 1.0;
     if (!upright) far.xy = turn(far.xy, 0.59, 0.807);
     lean += FAR[layer] * (far.x * mix(u_one, u_other, share) + far.y * v);

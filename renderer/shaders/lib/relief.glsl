@@ -23,7 +23,7 @@ float material_relief(vec3 p, float away, float fade) {
         if (shares[k] < LEAST) continue;
         float kept = layer == STRATA || layer == REEF ? 0.35 + 0.65 * wave : wave;
         sum += shares[k] * kept * u_ground_layers[layer].w
-            * (ground_sampled(layer, p, normal, pixel_m, tile, bent_at(site)).height - 0.5);
+            * (ground_sampled(layer, p, normal, pixel_m, tile, bent_at(p.xy)).height - 0.5);
     }
     return u_ground_relief * fade * sum;
 }
