@@ -139,7 +139,8 @@ Macro macro_at(vec3 p, Site s, float pixel_m) {
 
     // beds of stone: thick bands of colour and courses, dipping and bent; the textures have the thin lines
     vec2 bent = bent_at(p.xy);
-    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 0.36 * (bent.x + bent.y);
+    float bed = p.z + 0.11 * p.x - 0.07 * p.y + 0.45 * (bent.x + bent.y) + 1.6 * (broad.r - 0.5)
+        + 0.7 * sin(0.21 * p.x + 1.9 * sin(0.13 * p.y)) + 0.7 * sin(0.17 * p.y + 1.7 * sin(0.15 * p.x));
     vec4 band = textureLod(u_noise, vec2(bed * 0.021, 0.37), log2(max(pixel_m * 10.0, 1.0)));
     vec3 rock = mix(vec3(0.72, 0.72, 0.74), vec3(1.22, 1.20, 1.16), smoothstep(0.25, 0.75, band.g));
     rock = mix(rock, vec3(1.30, 1.04, 0.80), 0.6 * smoothstep(0.62, 0.95, band.r));
