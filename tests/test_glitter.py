@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy import ndimage
 from shorewright.level import Grid, Level
 from shorewright.level.objects import Camera
 from shorewright.level.settings import Sea
@@ -153,3 +154,23 @@ def test_rough_water_mirrors_from_the_slopes_one_sees(ctx):
             weight = shown * (WATER_F0 + (1 - WATER_F0) * (1 - cosine) ** 5)
             expected = (slope * weight).sum() / weight.sum()
             assert lean[row, column, 0] == pytest.approx(expected, rel=0.3, abs=0.012)
+
+
+@pytest.mark.parametrize("swell_m", [0.0, 0.45])
+def test_the_sea_from_above_is_no_lattice(renderer, swell_m):
+    """L07: from 900 m neither tiles of ripples nor rows of swell repeat in the glitter."""
+    level = open_sea(5.0, swell_m=swell_m, chop_m=0.09 if swell_m else 0.0)
+    place = Camera(id="c", x=128, y=128, z=900.0, yaw_deg=AZIMUTH, pitch_deg=-50.0, fov_deg=60)
+    hdr = render(level, place, size=(480, 270), linear=True, view="hdr", quality="medium", renderer=renderer)[..., 1]
+    # without what varies slowly, in parts of what is there
+    broad = ndimage.gaussian_filter(hdr.astype(np.float64), 4)
+    fine = (hdr / broad - 1)[120:250, 120:360]
+    if fine.std() < 4e-3:
+        return  # nothing is seen
+    power = np.abs(np.fft.fft2(fine - fine.mean(), (2 * fine.shape[0], 2 * fine.shape[1]))) ** 2
+    repeats = np.fft.fftshift(np.fft.ifft2(power).real)
+    repeats /= repeats.max()
+    row, col = np.indices(repeats.shape)
+    lag = np.hypot(row - fine.shape[0], col - fine.shape[1])
+    # waves are alike over a wavelength or two
+    assert repeats[(lag > (40 if swell_m else 10)) & (lag < 110)].max() < 0.2

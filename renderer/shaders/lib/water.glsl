@@ -14,7 +14,10 @@ const float RIPPLE_TEXELS = 256.0;
 const float WATER_INDEX = 1.333;
 const float WATER_F0 = 0.0204;
 
-// Small waves: xy slope, z the variance of the slope that a pixel of this size can't show.
+const vec2 TILE_PIXELS = vec2(10.0, 30.0);  // a tile is gone below, whole above: smaller ones would show as a lattice
+
+// Small waves: xy slope, z the variance of the slope that a pixel of this size can't show. What fades of a scale counts
+// to the variance: the mean of slope² over a tile is its share.
 vec3 water_ripples(vec2 xy, float pixel_m) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
@@ -22,9 +25,10 @@ vec3 water_ripples(vec2 xy, float pixel_m) {
         vec2 size = u_ripple_size[i];
         vec2 uv = vec2(way.x * xy.x + way.y * xy.y, way.x * xy.y - way.y * xy.x) / size.x + way.zw;
         vec4 v = textureLod(u_ripple, uv, log2(max(pixel_m * RIPPLE_TEXELS / size.x, 1e-4)));
-        vec2 slope = v.xy * size.y;
+        float whole = smoothstep(TILE_PIXELS.x, TILE_PIXELS.y, size.x / max(pixel_m, 1e-4));
+        vec2 slope = v.xy * size.y * whole;
         sum.xy += vec2(way.x * slope.x - way.y * slope.y, way.y * slope.x + way.x * slope.y);
-        sum.z += max(v.z - dot(v.xy, v.xy), 0.0) * size.y * size.y;
+        sum.z += mix(1.0, max(v.z - dot(v.xy, v.xy), 0.0), whole * whole) * size.y * size.y;
     }
     vec2 across = vec2(-u_wind_way.y, u_wind_way.x);
     vec2 slope = dot(sum.xy, u_wind_way) * u_ripple_gain.x * u_wind_way + dot(sum.xy, across) * u_ripple_gain.y * across;
