@@ -199,9 +199,10 @@ void main() {
     float column = water_column(sea, position.z);
     float rippled = ripple_share(column);
     vec3 ripple = water_ripples(before, long_m);
-    float body = wave_body(sea, sharp.x);
+    float body = wave_body(sea, sharp.x), breadth = wave_breadth(sea);
     // a shore wave is lit as the steep wave it stands for: cells of half a metre carry a gentler one
-    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (sharp.x * (1.0 + 0.9 * body)) + rippled * ripple.xy;
+    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (1.0 + 0.9 * body * breadth);
+    slope = sharp.x * (slope - 0.9 * (1.0 - breadth) * sea.shore.lift.yz) + rippled * ripple.xy;
     // slopes that neither the waves here nor the ripples show: together always what the wind makes (Cox & Munk 1954)
     vec2 shown = sea.deep * sharp.x * vec2(1.0, sharp.y);
     float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled;
@@ -224,6 +225,7 @@ void main() {
     float roughness = water_roughness(u_water_roughness * mix(0.6, 1.0, rippled), lost);
     vec3 sun = sun_radiance() * sun_visibility(position), sky = sky_irradiance(vec3(0.0, 0.0, 1.0));
     vec2 bed_xy = before - to_eye.xy * land.w;
+    body *= breadth;
     float face = wave_face(sea, normal, body);
     depth += 1.3 * face;
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);

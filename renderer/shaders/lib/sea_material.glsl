@@ -72,6 +72,12 @@ float wave_body(Sea sea, float sharp) {
     return smoothstep(0.12, 0.8, sea.shore.lift.x / max(u_shore_height_m, 0.1)) * sea.bed.sea.x * u_shore_on * sharp;
 }
 
+// 0 where the bed is so steep that a front would stand on a strip of a metre: the edge of a reef or a bar seen from the
+// calm side. There it is a spent low wave, no wall of water.
+float wave_breadth(Sea sea) {
+    return smoothstep(1.2, 2.6, u_shore_width * u_shore_range_m / max(length(sea.bed.smoothed.yz), 1e-3));
+}
+
 // 1 on its steep shoreward face, where the eye looks a long way through green water.
 float wave_face(Sea sea, vec3 normal, float body) {
     vec2 uphill = -sea.bed.smoothed.yz;
