@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
-from scipy import ndimage
+from scipy import ndimage, special
 from shorewright.level import Grid, Level
 from shorewright.level.objects import Camera
 from shorewright.level.settings import Sea
 from shorewright.renderer import render
 from shorewright.renderer.look import ripple_slopes, sun_direction, wave_slopes
+from shorewright.renderer.sky_light import sky_light
 
 pytestmark = pytest.mark.gl
 AZIMUTH, ELEVATION = 235.0, 38.0
@@ -174,3 +175,36 @@ def test_the_sea_from_above_is_no_lattice(renderer, swell_m):
     lag = np.hypot(row - fine.shape[0], col - fine.shape[1])
     # waves are alike over a wavelength or two
     assert repeats[(lag > (40 if swell_m else 10)) & (lag < 110)].max() < 0.2
+
+
+def smith(cosine, sigma):
+    """Share of a Gaussian sea's facets that is hidden against what is seen: Λ of Smith (1967), in closed form."""
+    nu = cosine / np.sqrt(1 - cosine**2) / (np.sqrt(2) * sigma)
+    return (np.exp(-(nu**2)) / (nu * np.sqrt(np.pi)) - special.erfc(nu)) / 2
+
+
+@pytest.mark.parametrize(("view_deg", "sun_deg"), [(1, 12), (30, 25), (60, 50), (80, 66), (60, 30)])
+@pytest.mark.parametrize("wind_mps", [3.0, 5.0])
+def test_the_glint_is_as_bright_as_cox_and_munk_say(renderer, wind_mps, view_deg, sun_deg):
+    """L07: E · F · p(slope) / (4 cos θ_eye cos⁴ β), less what facets hide of each other; angles from straight down."""
+    level = open_sea(wind_mps, swell_m=0.0, chop_m=0.0)
+    level.set("light.sun_elevation_deg", 90.0 - sun_deg)
+    place = Camera(id="c", x=128, y=128, z=1500.0, yaw_deg=AZIMUTH, pitch_deg=view_deg - 90.0, fov_deg=20)
+    shoot = {"size": (33, 33), "quality": "medium", "linear": True, "renderer": renderer, "time_s": 3.0}
+    glint = render(level, place, view="glint", **shoot)[16, 16, 1]
+    at = render(level, place, view="position", **shoot)[16, 16].astype(np.float64)
+    to_eye = np.array([place.x, place.y, place.z]) - at
+    to_eye /= np.linalg.norm(to_eye)
+    sun = sun_direction(AZIMUTH, 90.0 - sun_deg)
+    half = (to_eye + sun) / np.linalg.norm(to_eye + sun)
+    way = np.radians(70.0)
+    variance = np.array(cox_munk(wind_mps))
+    axes = np.array([[np.sin(way), np.cos(way)], [-np.cos(way), np.sin(way)]])
+    slope = axes @ (half[:2] / half[2])
+    p = np.exp(-0.5 * np.sum(slope**2 / variance)) / (2 * np.pi * np.sqrt(variance.prod()))
+    fresnel = WATER_F0 + (1 - WATER_F0) * (1 - half @ to_eye) ** 5
+    hidden = sum(
+        smith(d[2], np.sqrt(np.sum((axes @ d[:2]) ** 2 * variance) / np.sum(d[:2] ** 2))) for d in (to_eye, sun)
+    )
+    expected = sky_light(level.settings).sun[1] * fresnel * p / (4 * to_eye[2] * half[2] ** 4) / (1 + hidden)
+    assert glint == pytest.approx(expected, rel=0.1)
