@@ -177,6 +177,17 @@ def test_the_sea_from_above_is_no_lattice(renderer, swell_m):
     assert repeats[(lag > (40 if swell_m else 10)) & (lag < 110)].max() < 0.2
 
 
+@pytest.mark.parametrize("wind_mps", [3.0, 8.0])
+def test_gusts_keep_the_mean(renderer, wind_mps):
+    """L07: from afar patches of wind are seen, and on the whole the slopes are Cox & Munk's."""
+    level = open_sea(wind_mps, swell_m=0.0, chop_m=0.0)
+    place = Camera(id="c", x=128, y=128, z=4000.0, yaw_deg=0, pitch_deg=-90, fov_deg=60)
+    shoot = {"size": (96, 96), "quality": "medium", "linear": True, "renderer": renderer}
+    variance = render(level, place, view="roughness", **shoot)[..., 0].astype(np.float64) ** 4
+    assert variance.mean() == pytest.approx(sum(cox_munk(wind_mps)), rel=0.1)
+    assert 0.1 < variance.std() / variance.mean() < 0.5
+
+
 def smith(cosine, sigma):
     """Share of a Gaussian sea's facets that is hidden against what is seen: Λ of Smith (1967), in closed form."""
     nu = cosine / np.sqrt(1 - cosine**2) / (np.sqrt(2) * sigma)
@@ -192,13 +203,16 @@ def test_the_glint_is_as_bright_as_cox_and_munk_say(renderer, wind_mps, view_deg
     place = Camera(id="c", x=128, y=128, z=1500.0, yaw_deg=AZIMUTH, pitch_deg=view_deg - 90.0, fov_deg=20)
     shoot = {"size": (33, 33), "quality": "medium", "linear": True, "renderer": renderer, "time_s": 3.0}
     glint = render(level, place, view="glint", **shoot)[16, 16, 1]
+    # gusts give and take, by place: what stands there is the variance that counts
+    there = render(level, place, view="roughness", **shoot)[16, 16, 0].astype(np.float64) ** 4
     at = render(level, place, view="position", **shoot)[16, 16].astype(np.float64)
     to_eye = np.array([place.x, place.y, place.z]) - at
     to_eye /= np.linalg.norm(to_eye)
     sun = sun_direction(AZIMUTH, 90.0 - sun_deg)
     half = (to_eye + sun) / np.linalg.norm(to_eye + sun)
     way = np.radians(70.0)
-    variance = np.array(cox_munk(wind_mps))
+    variance = np.array(cox_munk(wind_mps)) * there / sum(cox_munk(wind_mps))
+    assert 0.4 < there / sum(cox_munk(wind_mps)) < 1.8
     axes = np.array([[np.sin(way), np.cos(way)], [-np.cos(way), np.sin(way)]])
     slope = axes @ (half[:2] / half[2])
     p = np.exp(-0.5 * np.sum(slope**2 / variance)) / (2 * np.pi * np.sqrt(variance.prod()))

@@ -198,7 +198,8 @@ void main() {
     vec3 position = u_camera + relative;
     float column = water_column(sea, position.z);
     float rippled = ripple_share(column);
-    vec3 ripple = water_ripples(before, long_m);
+    float gusts = water_gusts(before, length(relative), long_m);
+    vec3 ripple = water_ripples(before, long_m) * vec3(vec2(sqrt(gusts)), gusts);
     float body = wave_body(sea, sharp.x), breadth = wave_breadth(sea);
     // a shore wave is lit as the steep wave it stands for: cells of half a metre carry a gentler one
     vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (1.0 + 0.9 * body * breadth);

@@ -14,6 +14,8 @@ const float RIPPLE_TEXELS = 256.0;
 const float WATER_INDEX = 1.333;
 const float WATER_F0 = 0.0204;
 
+const vec2 GUSTS_FROM_M = vec2(150.0, 800.0);
+const float GUST_TILE_M = 1500.0, GUSTINESS = 1.7;
 const vec2 TILE_PIXELS = vec2(10.0, 30.0);  // a tile is gone below, whole above: smaller ones would show as a lattice
 
 // Small waves: xy slope, z the variance of the slope that a pixel of this size can't show. What fades of a scale counts
@@ -33,6 +35,16 @@ vec3 water_ripples(vec2 xy, float pixel_m) {
     vec2 across = vec2(-u_wind_way.y, u_wind_way.x);
     vec2 slope = dot(sum.xy, u_wind_way) * u_ripple_gain.x * u_wind_way + dot(sum.xy, across) * u_ripple_gain.y * across;
     return vec3(slope, sum.z * u_ripple_gain.z);
+}
+
+// Gusts and slicks: how much of the ripples' slope² stands at a place, 1 on the whole. They lie along the wind and show
+// as bright and dark patches in the glitter from afar.
+float water_gusts(vec2 xy, float away, float pixel_m) {
+    float far = smoothstep(GUSTS_FROM_M.x, GUSTS_FROM_M.y, away);
+    if (far <= 0.0) return 1.0;
+    vec2 way = vec2(dot(xy, u_wind_way) * 0.45, u_wind_way.x * xy.y - u_wind_way.y * xy.x);
+    vec4 noise = noise_at(way, GUST_TILE_M, 2.0 * pixel_m);
+    return max(1.0 + far * GUSTINESS * (dot(noise.rga, vec3(0.4, 0.25, 0.35)) - 0.5), 0.3);
 }
 
 // Roughness of a surface whose unseen slopes have this variance: alpha² = mean square slope (Cox & Munk 1954).
