@@ -30,7 +30,7 @@ class Sea(Section):
         0,
         40,
         "m/s",
-        "Wind that roughens the water: how wide the sun's glitter is (Cox & Munk 1954).",
+        "Wind over the open sea: the sun's glitter widens with it, and from 4 m/s whitecaps come up.",
         soft=(0, 20),
     )
     variance: float = param(0.35, 0, 1, "", "How far single fronts leave their group's amplitude, length and heading.")

@@ -137,7 +137,8 @@ def _pack(level: Level, depth, least, cell_m: float) -> np.ndarray:
     topped, a hollow inland stays still (D03).
     """
     shore = level.settings.shore
-    reached = least > -(1.1 * shore.range_m * shore.runup + 0.05)
+    limit = 1.1 * shore.range_m * shore.runup + 0.05
+    reached = least > -limit
     clock = np.where(reached, least, depth) if shore.monotone else depth
     sigma = shore.smooth_m / cell_m
     if sigma > 0.05:
@@ -147,8 +148,18 @@ def _pack(level: Level, depth, least, cell_m: float) -> np.ndarray:
     wide = ndimage.gaussian_filter(clock, max(ROCKS_M / cell_m, 0.3), mode="nearest", truncate=3)
     packed = np.zeros((*depth.shape, 4), np.float32)
     packed[..., 0], packed[..., 1], packed[..., 3] = clock, depth, wide
-    packed[..., 2] = reached
+    packed[..., 2] = reached | _banks(reached, depth, limit)
     return packed
+
+
+def _banks(reached, depth, limit_m: float) -> np.ndarray:
+    """Land too high for the swash, right beside it: counted as sea, or a steep beach would wear the cells as teeth.
+
+    Not where a hollow lies behind it that the sea doesn't reach.
+    """
+    high = depth <= -limit_m
+    beside = ndimage.binary_dilation(reached, np.ones((3, 3), bool))
+    return high & beside & ~ndimage.binary_dilation(~high & ~reached, np.ones((3, 3), bool))
 
 
 def _update(level: Level, have: ShoreMap, at: int) -> ShoreMap:

@@ -16,6 +16,7 @@ from .sky_light import sky_light
 DISPLAYS = ("agx", "aces", "neutral", "raw")
 GRAVITY = 9.81
 FOAM_PERIOD_S = 5.0
+CAP_LIFE_S = 7.0
 STAR_LIGHT = 0.0015  # kcd/m² of the brightest stars, spread over 1.4 minutes of arc
 RIPPLE_SPREAD = np.array([0.7955, 0.2045])  # of the texture's slope variance: along its own way, across
 LEAST_SLOPE2 = 2e-4  # no sea is a mirror
@@ -116,6 +117,26 @@ def _foam(settings: Settings, time_s: float) -> dict:
     return {"u_foam_phase": phases, "u_foam_tile_m": water.foam_tile_m, "u_foam_amount": water.foam}
 
 
+def whitecap_share(wind_mps: float) -> float:
+    """Share of the open sea that whitecaps cover: 3.84e-6 U^3.41 (Monahan & O'Muircheartaigh 1980), none in light wind."""
+    return min(3.84e-6 * wind_mps**3.41, 0.6) * min(max(wind_mps - 3.7, 0.0), 1.0)
+
+
+def _whitecaps(settings: Settings, time_s: float) -> dict:
+    """Two generations of caps, half a life apart: each comes up, shrinks and is somewhere else the next time."""
+    cycles = [time_s / CAP_LIFE_S, time_s / CAP_LIFE_S + 0.5]
+    ages = [cycle - math.floor(cycle) for cycle in cycles]
+    # multiples of irrational numbers: no two generations near each other share a place
+    numbers = [2 * math.floor(cycle) + i for i, cycle in enumerate(cycles)]
+    places = [n * step % 1.0 for n in numbers for step in (0.7548776662, 0.5698402910)]
+    shares = [1 - abs(2 * age - 1) for age in ages]
+    return {
+        "u_whitecaps": whitecap_share(settings.sea.wind_mps) * float(settings.sea.on),
+        "u_cap_place": np.array(places, np.float32),
+        "u_cap_age": np.array([*(age - 0.5 for age in ages), *shares], np.float32),
+    }
+
+
 def look_uniforms(settings: Settings, time_s: float) -> dict[str, float | np.ndarray]:
     """Every `u_…` of `shaders/lib/*.glsl` but samplers, at `time_s` seconds."""
     light, fog, water, ground = (getattr(settings, name) for name in ("light", "fog", "water", "ground"))
@@ -138,4 +159,5 @@ def look_uniforms(settings: Settings, time_s: float) -> dict[str, float | np.nda
         "u_ground_grass_slope": math.tan(math.radians(ground.grass_slope_deg)),
         **_ripples(settings, time_s),
         **_foam(settings, time_s),
+        **_whitecaps(settings, time_s),
     }

@@ -2,11 +2,13 @@
 
 import numpy as np
 import pytest
+from scipy import ndimage, special
 from shorewright.level import Grid, Level
 from shorewright.level.objects import Camera
 from shorewright.level.settings import Sea
 from shorewright.renderer import render
 from shorewright.renderer.look import ripple_slopes, sun_direction, wave_slopes
+from shorewright.renderer.sky_light import sky_light
 
 pytestmark = pytest.mark.gl
 AZIMUTH, ELEVATION = 235.0, 38.0
@@ -153,3 +155,70 @@ def test_rough_water_mirrors_from_the_slopes_one_sees(ctx):
             weight = shown * (WATER_F0 + (1 - WATER_F0) * (1 - cosine) ** 5)
             expected = (slope * weight).sum() / weight.sum()
             assert lean[row, column, 0] == pytest.approx(expected, rel=0.3, abs=0.012)
+
+
+@pytest.mark.parametrize("swell_m", [0.0, 0.45])
+def test_the_sea_from_above_is_no_lattice(renderer, swell_m):
+    """L07: from 900 m neither tiles of ripples nor rows of swell repeat in the glitter."""
+    level = open_sea(5.0, swell_m=swell_m, chop_m=0.09 if swell_m else 0.0)
+    place = Camera(id="c", x=128, y=128, z=900.0, yaw_deg=AZIMUTH, pitch_deg=-50.0, fov_deg=60)
+    hdr = render(level, place, size=(480, 270), linear=True, view="hdr", quality="medium", renderer=renderer)[..., 1]
+    # without what varies slowly, in parts of what is there
+    broad = ndimage.gaussian_filter(hdr.astype(np.float64), 4)
+    fine = (hdr / broad - 1)[120:250, 120:360]
+    if fine.std() < 4e-3:
+        return  # nothing is seen
+    power = np.abs(np.fft.fft2(fine - fine.mean(), (2 * fine.shape[0], 2 * fine.shape[1]))) ** 2
+    repeats = np.fft.fftshift(np.fft.ifft2(power).real)
+    repeats /= repeats.max()
+    row, col = np.indices(repeats.shape)
+    lag = np.hypot(row - fine.shape[0], col - fine.shape[1])
+    # waves are alike over a wavelength or two
+    assert repeats[(lag > (40 if swell_m else 10)) & (lag < 110)].max() < 0.2
+
+
+@pytest.mark.parametrize("wind_mps", [3.0, 8.0])
+def test_gusts_keep_the_mean(renderer, wind_mps):
+    """L07: from afar patches of wind are seen, and on the whole the slopes are Cox & Munk's."""
+    level = open_sea(wind_mps, swell_m=0.0, chop_m=0.0)
+    place = Camera(id="c", x=128, y=128, z=4000.0, yaw_deg=0, pitch_deg=-90, fov_deg=60)
+    shoot = {"size": (96, 96), "quality": "medium", "linear": True, "renderer": renderer}
+    variance = render(level, place, view="roughness", **shoot)[..., 0].astype(np.float64) ** 4
+    assert variance.mean() == pytest.approx(sum(cox_munk(wind_mps)), rel=0.1)
+    assert 0.1 < variance.std() / variance.mean() < 0.5
+
+
+def smith(cosine, sigma):
+    """Share of a Gaussian sea's facets that is hidden against what is seen: Λ of Smith (1967), in closed form."""
+    nu = cosine / np.sqrt(1 - cosine**2) / (np.sqrt(2) * sigma)
+    return (np.exp(-(nu**2)) / (nu * np.sqrt(np.pi)) - special.erfc(nu)) / 2
+
+
+@pytest.mark.parametrize(("view_deg", "sun_deg"), [(1, 12), (30, 25), (60, 50), (80, 66), (60, 30)])
+@pytest.mark.parametrize("wind_mps", [3.0, 5.0])
+def test_the_glint_is_as_bright_as_cox_and_munk_say(renderer, wind_mps, view_deg, sun_deg):
+    """L07: E · F · p(slope) / (4 cos θ_eye cos⁴ β), less what facets hide of each other; angles from straight down."""
+    level = open_sea(wind_mps, swell_m=0.0, chop_m=0.0)
+    level.set("light.sun_elevation_deg", 90.0 - sun_deg)
+    place = Camera(id="c", x=128, y=128, z=1500.0, yaw_deg=AZIMUTH, pitch_deg=view_deg - 90.0, fov_deg=20)
+    shoot = {"size": (33, 33), "quality": "medium", "linear": True, "renderer": renderer, "time_s": 3.0}
+    glint = render(level, place, view="glint", **shoot)[16, 16, 1]
+    # gusts give and take, by place: what stands there is the variance that counts
+    there = render(level, place, view="roughness", **shoot)[16, 16, 0].astype(np.float64) ** 4
+    at = render(level, place, view="position", **shoot)[16, 16].astype(np.float64)
+    to_eye = np.array([place.x, place.y, place.z]) - at
+    to_eye /= np.linalg.norm(to_eye)
+    sun = sun_direction(AZIMUTH, 90.0 - sun_deg)
+    half = (to_eye + sun) / np.linalg.norm(to_eye + sun)
+    way = np.radians(70.0)
+    variance = np.array(cox_munk(wind_mps)) * there / sum(cox_munk(wind_mps))
+    assert 0.4 < there / sum(cox_munk(wind_mps)) < 1.8
+    axes = np.array([[np.sin(way), np.cos(way)], [-np.cos(way), np.sin(way)]])
+    slope = axes @ (half[:2] / half[2])
+    p = np.exp(-0.5 * np.sum(slope**2 / variance)) / (2 * np.pi * np.sqrt(variance.prod()))
+    fresnel = WATER_F0 + (1 - WATER_F0) * (1 - half @ to_eye) ** 5
+    hidden = sum(
+        smith(d[2], np.sqrt(np.sum((axes @ d[:2]) ** 2 * variance) / np.sum(d[:2] ** 2))) for d in (to_eye, sun)
+    )
+    expected = sky_light(level.settings).sun[1] * fresnel * p / (4 * to_eye[2] * half[2] ** 4) / (1 + hidden)
+    assert glint == pytest.approx(expected, rel=0.1)

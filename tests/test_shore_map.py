@@ -118,3 +118,20 @@ def test_outside_the_level_the_bed_is_continued():
     inside, outside = shore_map(level).at(80.0, 0.0), shore_map(level).at(80.0, -500.0)
     assert outside["depth"].v == inside["depth"].v
     assert outside["depth"].dy == 0
+
+
+def test_a_steep_bank_wears_no_teeth():
+    """D03: wherever the swash can come on a bank of 50°, between the cells too, it is sea; a hollow stays dry."""
+    y, x = np.mgrid[0:65, 0:97].astype(np.float32)
+    slope = 1.2 * (0.8 * (x - 30) + 0.6 * (y - 30))
+    height = np.minimum(slope, 6.0)
+    height[20:40, 70:90] = -1.0
+    level = Level(Grid(65, 97), height.astype(np.float32))
+    rng = np.random.default_rng(3)
+    px, py = rng.uniform(5, 60, 20_000), rng.uniform(5, 60, 20_000)
+    bed = shore_map(level).at(px, py)
+    top = level.settings.shore.range_m * level.settings.shore.runup
+    touched = (bed["depth"].v > -top) & (px < 60)
+    assert touched.sum() > 1000
+    assert (bed["sea"].v[touched] == 1).all()
+    assert (shore_map(level).packed[19:41, 69:91, 2] == 0).all()

@@ -9,6 +9,8 @@ uniform vec4 u_front_size[FRONTS];  // amplitude_m, lateral_m, unit direction (x
 
 // What a drawing shader leaves of the high group where its cells or pixels are too coarse for it; 1 is the true sea.
 float chop_share = 1.0;
+// And how it breaks the rows of the low group, which from afar stand in one lattice: a gain and a phase by front.
+vec3 swell_gain = vec3(1.0), swell_turn = vec3(0.0);
 
 struct Deformed { vec3 x; vec3 y; vec3 z; };  // duals: world x, world y, height over the still sea
 
@@ -16,6 +18,10 @@ Deformed gerstner_group(Deformed point, int first, int end, vec3 weight) {
     vec3 dx = vec3(0.0), dy = vec3(0.0), dz = vec3(0.0);
     for (int i = first; i < end; ++i) {
         vec4 way = u_front_way[i], size = u_front_size[i];
+        if (first == HIGH_FRONTS) {
+            way.z += swell_turn[i - first];
+            size.xy *= swell_gain[i - first];
+        }
         // Phases are kept in cycles and wrapped, so that float32 is as good at 7 days as at 0.
         float theta = TURN * fract(dot(way.xy, vec2(point.x.x, point.y.x)) - way.z);
         float s = sin(theta), c = cos(theta);

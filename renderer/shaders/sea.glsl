@@ -61,6 +61,7 @@ uniform vec2 u_wave_slope;  // mean square slope of swell and chop
 const int REFINEMENTS = 3, STEPS = 12, HALVINGS = 10;
 const float MOST_REFINED_M = 1.5, NEAR_ENOUGH_M = 0.02;
 const float SEARCH_M = 120.0;  // up to here the drawn surface is the twin's within 3 cm
+const float GROUP_TILE = 14.0;  // side of the noise by which the swell comes in groups, in wavelengths
 const float FARTHEST_M = 4e6;  // where the plane ends for float32's sake
 uniform bool u_show_procedural_foam, u_show_painted_foam, u_show_refraction;
 #ifndef HORIZON
@@ -100,6 +101,18 @@ void fade_surf(inout Sea sea) {
     float open_sea = smoothstep(0.01 * u_apron.x, 0.12 * u_apron.x, length(outside));
     sea.deep = max(sea.deep, open_sea);
     sea.bed.depth.x = max(sea.bed.depth.x, u_apron.y * open_sea * open_sea);
+}
+
+// Seen from afar three fronts are a lattice; a real swell comes in groups, now from here and now from there. Uniform
+// noise times √3 has a mean square of 1: the slopes keep their energy.
+void group_swell(vec2 xy, float away, float pixel_m) {
+    float far = smoothstep(SEARCH_M, 4.0 * SEARCH_M, away);
+    if (far <= 0.0) return;
+    float tile = GROUP_TILE * u_swell_length_m;
+    vec3 here = vec3(noise_at(xy, tile, pixel_m).r, noise_at(turn(xy, 0.6, 0.8) + 0.31 * tile, tile, pixel_m).r,
+                     noise_at(turn(xy, -0.8, 0.6) + 0.67 * tile, tile, pixel_m).r);
+    swell_gain = mix(vec3(1.0), 1.732 * here, far);
+    swell_turn = far * here.yzx;
 }
 
 // The wave where the pixel's ray is `way` metres beyond `start`; returns how far the ray is above it.
@@ -174,6 +187,7 @@ void main() {
     vec2 sharp = shares / (1.0 + pow(2.5 * long_m / vec2(u_swell_length_m, u_chop_length_m), vec2(4.0)));
     sharp.y = mix(1.0, sharp.y, smoothstep(SEARCH_M, 1.4 * SEARCH_M, length(relative)));
     chop_share = sharp.y;
+    group_swell(before, length(relative), pixel_m);
     Sea sea = sea_surface(before);
 #if !defined(HORIZON) && !defined(COARSE)
     if (shares.x >= 1.0) onto_surface(relative, before, sea);
@@ -184,10 +198,12 @@ void main() {
     vec3 position = u_camera + relative;
     float column = water_column(sea, position.z);
     float rippled = ripple_share(column);
-    vec3 ripple = water_ripples(before, long_m);
-    float body = wave_body(sea, sharp.x);
+    float gusts = water_gusts(before, length(relative), long_m);
+    vec3 ripple = water_ripples(before, long_m) * vec3(vec2(sqrt(gusts)), gusts);
+    float body = wave_body(sea, sharp.x), breadth = wave_breadth(sea);
     // a shore wave is lit as the steep wave it stands for: cells of half a metre carry a gentler one
-    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (sharp.x * (1.0 + 0.9 * body)) + rippled * ripple.xy;
+    vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (1.0 + 0.9 * body * breadth);
+    slope = sharp.x * (slope - 0.9 * (1.0 - breadth) * sea.shore.lift.yz) + rippled * ripple.xy;
     // slopes that neither the waves here nor the ripples show: together always what the wind makes (Cox & Munk 1954)
     vec2 shown = sea.deep * sharp.x * vec2(1.0, sharp.y);
     float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled;
@@ -210,6 +226,7 @@ void main() {
     float roughness = water_roughness(u_water_roughness * mix(0.6, 1.0, rippled), lost);
     vec3 sun = sun_radiance() * sun_visibility(position), sky = sky_irradiance(vec3(0.0, 0.0, 1.0));
     vec2 bed_xy = before - to_eye.xy * land.w;
+    body *= breadth;
     float face = wave_face(sea, normal, body);
     depth += 1.3 * face;
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);

@@ -35,8 +35,9 @@ float crest_foam(ShoreMasks m, float to_m, float down_m, float broken, float tea
 Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool waves, float pixel_m) {
     ShoreMasks m = sea.shore;
     float shore = sea.bed.sea.x * u_shore_on;
-    float offshore = saturate(smoothstep(0.55, 0.95, sea.height01) * sea.deep * sharp * 0.5);
-    if (shore * m.s < 0.2 && offshore + paint < 0.004) return NO_FOAM;
+    float veil, offshore = whitecaps(before, sea.height01 * sharp, pixel_m, veil) * sea.deep;
+    veil *= waves ? sea.deep : 0.0;
+    if (shore * m.s < 0.2 && offshore + paint < 0.004) return Foam(veil, 0.0, 0.0, 0.5, 0.5);
     float near;
     float patches = foam_patches(before, pixel_m, near);
     float torn = smoothstep(0.30, 0.70, patches);
@@ -64,12 +65,20 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     float clean = (1.0 - crest) * (1.0 - wake) * (1.0 - lace) * (1.0 - rim) * (1.0 - offshore);
     clean = waves ? clean : 1.0;
     float amount = 1.0 - (1.0 - saturate((1.0 - clean) * u_foam_amount)) * (1.0 - paint * (0.34 + 0.26 * back));
-    return foam_at(before, amount, max(crest, rim), rim, surface_flow(sea), u_sun_direction.xy, pixel_m);
+    Foam foam = foam_at(before, amount, max(crest, rim), rim, surface_flow(sea), u_sun_direction.xy, pixel_m);
+    foam.cover = max(foam.cover, veil);
+    return foam;
 }
 
 // How much of a shore wave stands here, 0 … 1.
 float wave_body(Sea sea, float sharp) {
     return smoothstep(0.12, 0.8, sea.shore.lift.x / max(u_shore_height_m, 0.1)) * sea.bed.sea.x * u_shore_on * sharp;
+}
+
+// 0 where the bed is so steep that a front would stand on a strip of a metre: the edge of a reef or a bar seen from the
+// calm side. There it is a spent low wave, no wall of water.
+float wave_breadth(Sea sea) {
+    return smoothstep(1.2, 2.6, u_shore_width * u_shore_range_m / max(length(sea.bed.smoothed.yz), 1e-3));
 }
 
 // 1 on its steep shoreward face, where the eye looks a long way through green water.

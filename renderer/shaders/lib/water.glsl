@@ -14,7 +14,12 @@ const float RIPPLE_TEXELS = 256.0;
 const float WATER_INDEX = 1.333;
 const float WATER_F0 = 0.0204;
 
-// Small waves: xy slope, z the variance of the slope that a pixel of this size can't show.
+const vec2 GUSTS_FROM_M = vec2(150.0, 800.0);
+const float GUST_TILE_M = 1500.0, GUSTINESS = 1.7;
+const vec2 TILE_PIXELS = vec2(10.0, 30.0);  // a tile is gone below, whole above: smaller ones would show as a lattice
+
+// Small waves: xy slope, z the variance of the slope that a pixel of this size can't show. What fades of a scale counts
+// to the variance: the mean of slope² over a tile is its share.
 vec3 water_ripples(vec2 xy, float pixel_m) {
     vec3 sum = vec3(0.0);
     for (int i = 0; i < 3; ++i) {
@@ -22,13 +27,24 @@ vec3 water_ripples(vec2 xy, float pixel_m) {
         vec2 size = u_ripple_size[i];
         vec2 uv = vec2(way.x * xy.x + way.y * xy.y, way.x * xy.y - way.y * xy.x) / size.x + way.zw;
         vec4 v = textureLod(u_ripple, uv, log2(max(pixel_m * RIPPLE_TEXELS / size.x, 1e-4)));
-        vec2 slope = v.xy * size.y;
+        float whole = smoothstep(TILE_PIXELS.x, TILE_PIXELS.y, size.x / max(pixel_m, 1e-4));
+        vec2 slope = v.xy * size.y * whole;
         sum.xy += vec2(way.x * slope.x - way.y * slope.y, way.y * slope.x + way.x * slope.y);
-        sum.z += max(v.z - dot(v.xy, v.xy), 0.0) * size.y * size.y;
+        sum.z += mix(1.0, max(v.z - dot(v.xy, v.xy), 0.0), whole * whole) * size.y * size.y;
     }
     vec2 across = vec2(-u_wind_way.y, u_wind_way.x);
     vec2 slope = dot(sum.xy, u_wind_way) * u_ripple_gain.x * u_wind_way + dot(sum.xy, across) * u_ripple_gain.y * across;
     return vec3(slope, sum.z * u_ripple_gain.z);
+}
+
+// Gusts and slicks: how much of the ripples' slope² stands at a place, 1 on the whole. They lie along the wind and show
+// as bright and dark patches in the glitter from afar.
+float water_gusts(vec2 xy, float away, float pixel_m) {
+    float far = smoothstep(GUSTS_FROM_M.x, GUSTS_FROM_M.y, away);
+    if (far <= 0.0) return 1.0;
+    vec2 way = vec2(dot(xy, u_wind_way) * 0.45, u_wind_way.x * xy.y - u_wind_way.y * xy.x);
+    vec4 noise = noise_at(way, GUST_TILE_M, 2.0 * pixel_m);
+    return max(1.0 + far * GUSTINESS * (dot(noise.rga, vec3(0.4, 0.25, 0.35)) - 0.5), 0.3);
 }
 
 // Roughness of a surface whose unseen slopes have this variance: alpha² = mean square slope (Cox & Munk 1954).
