@@ -29,7 +29,7 @@ def lie(
     for cut in range(CUTS + 1):
         along = STATIONS[:, None] * (scale * flat)
         ground = ground_at(level, x + along * way[0], y + along * way[1])
-        # least squares over stations that lie evenly round the middle; one by one, as a sum's order may hang on the batch
+        # least squares over stations that lie evenly round the middle; NumPy's own sum would hang on the batch's size
         rise = sum(at * z for at, z in zip(along, ground, strict=True)) / sum(at * at for at in along)
         rest = ground - rise * along
         low, high = rest.min(axis=0), rest.max(axis=0)
