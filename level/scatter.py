@@ -19,7 +19,8 @@ from .noise import lattice
 from .params import get
 from .pick import ground_at
 from .scatter_kinds import SCATTER, Kind, Place
-from .scatter_meshes import variants
+from .scatter_lie import lie, tilted
+from .scatter_meshes import BEDDED, variants
 
 TILE_M = 32.0
 FOOT_M = (3.0, 8.0)  # rings on which the ground round a place is looked at
@@ -94,7 +95,9 @@ def sync(level: Level) -> Tiles:
         tiles.ranges.clear()
         tiles.key, tiles.changes = key, tiles.changes + 1
     elif tiles.revision != level.revision:
+        longest = max(kind.size_m[1] for kind in SCATTER.values() if kind.along_contour) * s.scatter.size
         for layer, reach_m in LAYERS_READ.items():
+            reach_m = max(reach_m, longest / 2) if layer == "height" else reach_m
             for rect in level.changed_since(layer, tiles.revision):
                 _drop(level, tiles, rect, reach_m)
     tiles.revision = level.revision
@@ -154,22 +157,34 @@ def _make(level: Level, kind: Kind, tiles: list[tuple[int, int]]) -> list[np.nda
     east, north = level.grid.extent_m
     taken = (drawn(2) < density(kind, place)) & (x <= east) & (y <= north)
     col, row = col[taken], row[taken]
-    gradient = gradient[:, taken]
-    found = np.empty(len(col), INSTANCE)
+    found = np.zeros(len(col), INSTANCE)
     low, high = kind.size_m
     # large ones are rare: sizes grow with a power of an even random number
     share = np.float64(drawn(3)) ** kind.skew
-    scale = (low + (high - low) * share) * level.settings.scatter.size
-    lean = kind.align / np.sqrt(1 + (kind.align * gradient[0]) ** 2 + (kind.align * gradient[1]) ** 2)
-    found["x"], found["y"] = x[taken], y[taken]
-    found["z"] = level.sea_level_m + place.over[taken] - kind.sink * scale * drawn(4)
-    found["scale"], found["tint"], found["rank"] = scale, drawn(6), drawn(7)
-    found["normal_x"], found["normal_y"] = -gradient[0] * lean, -gradient[1] * lean
-    found["yaw"] = _yaw(kind, drawn(5), gradient)
-    found["open"] = _open(level, x[taken], y[taken], gradient)
+    found["x"], found["y"], found["tint"], found["rank"] = x[taken], y[taken], drawn(6), drawn(7)
     found["variant"] = np.floor(drawn(8) * variants(kind.mesh))
+    found["open"] = _open(level, x[taken], y[taken], gradient[:, taken])
+    size = level.settings.scatter.size
+    _stand(level, kind, found, (low + (high - low) * share) * size, gradient[:, taken], drawn(4), drawn(5))
     ends = np.searchsorted(np.flatnonzero(taken), np.arange(1, len(tiles)) * side * side)
-    return np.split(found, ends)
+    return [part[part["scale"] > 0] for part in np.split(found, ends)]
+
+
+def _stand(level: Level, kind: Kind, found: np.ndarray, scale, gradient, sunk, turn) -> None:
+    """Write height, size, yaw and tilt of things at their places; size 0 where one can't lie."""
+    x, y, yaw = found["x"].astype(np.float64), found["y"].astype(np.float64), _yaw(kind, turn, gradient)
+    deep = kind.sink * scale * sunk
+    if kind.along_contour:
+        least = kind.size_m[0] * min(level.settings.scatter.size, 1.0)
+        scale, z, bend, rise, fits = lie(level, x, y, yaw, gradient, scale, least)
+        yaw, gradient = tilted(yaw, gradient, rise)
+        deep = np.maximum(kind.sink * scale * sunk, bend - BEDDED[kind.mesh] * scale)
+        scale = scale * fits
+    else:
+        z = ground_at(level, x, y)
+    lean = kind.align / np.sqrt(1 + (kind.align * gradient[0]) ** 2 + (kind.align * gradient[1]) ** 2)
+    found["z"], found["scale"], found["yaw"] = z - deep, scale, yaw
+    found["normal_x"], found["normal_y"] = -gradient[0] * lean, -gradient[1] * lean
 
 
 def density(kind: Kind, place: Place) -> np.ndarray:

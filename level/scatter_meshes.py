@@ -70,9 +70,12 @@ def pebble(rng: np.random.Generator, detail: int) -> Mesh:
 
 # Driftwood
 
+BEDDED = {"log": 0.0105, "branch": 0.006}  # how deep the underside of a trunk lies in the ground, in its length
 
-def _limb(rng: np.random.Generator, start, way, length: float, thick: float, thin: float, detail: int, bend: float):
-    """A tapered, bent, knotty tube."""
+
+def _limb(rng: np.random.Generator, start, way, length: float, thick: float, thin: float, detail: int, bend: float,
+          lying: bool = False):  # fmt: skip
+    """A tapered, bent, knotty tube; a lying one touches z = 0 from end to end."""
     count, sides = ((13, 9), (7, 6), (3, 4))[detail]
     t = np.linspace(0, 1, 13)
     way = np.asarray(way, float) / np.linalg.norm(way)
@@ -80,48 +83,48 @@ def _limb(rng: np.random.Generator, start, way, length: float, thick: float, thi
     wander -= t[:, None] * wander[-1]
     spine = np.asarray(start, float) + way * (t[:, None] * length) + wander
     radius = (thick + (thin - thick) * t**0.8) * (1 + 0.10 * rng.normal(size=13))
+    if lying:
+        spine[:, 2] = radius
     lobes = 1 + 0.10 * rng.normal(size=(13, 9))
     lobes = (lobes + np.roll(lobes, 1, 0) + np.roll(lobes, -1, 0)) / 3
     pick = np.linspace(0, 12, count).round().astype(int)
     return tube(spine[pick], radius[pick], sides, lobes[pick][:, :sides])
 
 
-def _sunk(made: Mesh, depth: float) -> Mesh:
-    """The same with its lowest point that deep in the ground."""
-    drop = made.vertices[:, 2].min() + depth
-    return Mesh(made.vertices - np.array([0, 0, drop], np.float32), made.normals, made.sway, made.indices)
+def _bedded(made: Mesh, family: str) -> Mesh:
+    """The same with the underside of its trunk in the ground; roots and stumps may go deeper."""
+    return Mesh(made.vertices - np.array([0, 0, BEDDED[family]], np.float32), made.normals, made.sway, made.indices)
 
 
 def log(rng: np.random.Generator, detail: int) -> Mesh:
-    """A trunk with the stumps of branches, half in the sand; some keep the foot of their roots."""
+    """A trunk with the stumps of branches, part of it in the sand; some keep the foot of their roots."""
     thick = rng.uniform(0.042, 0.062)
-    trunk = _limb(rng, (-0.5, 0, 0.45 * thick), (1, 0, rng.uniform(0.0, 0.03)), 1.0, thick, 0.55 * thick, detail, 0.10)
-    parts = [trunk]
+    parts = [_limb(rng, (-0.5, 0, 0), (1, 0, 0), 1.0, thick, 0.55 * thick, detail, 0.10, lying=True)]
     for _ in range(int(rng.integers(1, 4))):
         at, turn = rng.uniform(-0.2, 0.42), rng.uniform(-0.4, 2.2)
         way = (rng.uniform(0.3, 0.9), np.cos(turn), max(np.sin(turn), 0.15))
         size = rng.uniform(0.05, 0.17)
         if detail < 2:
-            parts.append(_limb(rng, (at, 0, 0.45 * thick), way, size, 0.42 * thick, 0.2 * thick, detail, 0.15))
+            parts.append(_limb(rng, (at, 0, 0.75 * thick), way, size, 0.42 * thick, 0.2 * thick, detail, 0.15))
     if rng.random() < 0.6 and detail < 2:
         for turn in np.arange(5) * 1.2566 + rng.uniform(0, 1):
             way = (-0.55, np.cos(turn), np.sin(turn))
-            parts.append(_limb(rng, (-0.47, 0, 0.45 * thick), way, rng.uniform(0.07, 0.12), 0.55 * thick,
+            parts.append(_limb(rng, (-0.47, 0, thick), way, rng.uniform(0.07, 0.12), 0.55 * thick,
                                0.16 * thick, min(detail + 1, 2), 0.3))  # fmt: skip
-    return _sunk(join(parts), 0.8 * thick)
+    return _bedded(join(parts), "log")
 
 
 def branch(rng: np.random.Generator, detail: int) -> Mesh:
     """A bent stick with a fork or two."""
     thick = rng.uniform(0.020, 0.034)
-    parts = [_limb(rng, (-0.5, 0, 0.5 * thick), (1, 0, 0.02), 1.0, thick, 0.35 * thick, detail, 0.28)]
+    parts = [_limb(rng, (-0.5, 0, 0), (1, 0, 0), 1.0, thick, 0.35 * thick, detail, 0.28, lying=True)]
     for sign in (1, -1)[: int(rng.integers(1, 3))]:
         at = rng.uniform(-0.25, 0.2)
         way = (1, sign * rng.uniform(0.4, 0.9), rng.uniform(0.05, 0.35))
         if detail < 2:
             parts.append(_limb(rng, (at, 0, 0.5 * thick), way, rng.uniform(0.2, 0.4), 0.55 * thick, 0.18 * thick,
                                min(detail + 1, 2), 0.25))  # fmt: skip
-    return _sunk(join(parts), 0.7 * thick)
+    return _bedded(join(parts), "branch")
 
 
 # Grass

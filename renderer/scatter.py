@@ -114,8 +114,8 @@ def _group(groups: Groups, kind: Kind, found: np.ndarray, eye: Eye, far: float) 
 
 def _detail(kind: Kind, pixels: np.ndarray, eye: Eye) -> np.ndarray:
     last = MESHES[kind.mesh].details - 1
-    if not eye.pixel:
-        return np.full(len(pixels), last)
+    if not eye.pixel:  # a shadow map: a log of four sides would leave a slit of light under a round one
+        return np.full(len(pixels), 0 if kind.name == "log" else last)
     edges = DETAIL_PX["rock" if kind.channel == "rocks" else kind.channel]
     return np.minimum(sum((pixels < edge).astype(int) for edge in edges), last)
 

@@ -262,3 +262,52 @@ def test_meshes_are_sound(family, detail):
             volume = np.einsum("ij,ij->i", a, np.cross(b, c)).sum() / 6
             assert volume > 0, "triangles run counter-clockwise seen from outside"
             assert made.vertices[:, 2].min() < 0, "its foot is in the ground"
+
+
+def bumpy() -> Level:
+    """A strand that falls to the south, with hollows and humps 7 m wide and single high samples."""
+    y, x = np.mgrid[0:SIDE, 0:SIDE].astype(np.float64)
+    height = 0.9 + (y - 128) * 0.004 + 0.10 * np.sin(0.9 * x) * np.sin(0.8 * y) + 0.25 * ((3 * x + 7 * y) % 41 == 0)
+    level = Level(Grid(SIDE, SIDE), height.astype(np.float32))
+    level.set("scatter.driftwood", 4.0)
+    level.set("ground.sand_top_m", 6.0)
+    return level
+
+
+@pytest.mark.parametrize(("kind", "size"), [("log", 1.0), ("log", 2.0), ("branch", 1.0)])
+def test_driftwood_lies_on_the_ground_from_end_to_end(kind, size):
+    """L09: neither end nor the middle floats by more than 5 cm, and no more than 60 % of a log is in the ground."""
+    level = bumpy()
+    level.set("scatter.size", size)
+    rows = scatter_instances(level, kind)
+    assert len(rows) > 30
+    floating, buried = [], []
+    for row in rows.astype([(name, np.float64) for name in rows.dtype.names]):
+        made = mesh(SCATTER[kind].mesh, int(row["variant"]), 0).vertices[: 13 * 9].astype(np.float64)  # the trunk
+        up = np.array([row["normal_x"], row["normal_y"], 0.0])
+        up[2] = np.sqrt(1 - up @ up)
+        east = np.array([np.cos(row["yaw"]), np.sin(row["yaw"]), 0.0])
+        east = (east - up * (east @ up)) / np.linalg.norm(east - up * (east @ up))
+        at = made @ np.array([east, np.cross(up, east), up]) * row["scale"] + (row["x"], row["y"], row["z"])
+        for ring in at.reshape(13, 9, 3)[[0, 6, 12]]:
+            low, high = ring[ring[:, 2].argmin()], ring[:, 2].max()
+            along = (ring.mean(axis=0) - (row["x"], row["y"], row["z"])) @ east  # it may be bent aside
+            ground = float(placing.ground_at(level, row["x"] + along * east[0], row["y"] + along * east[1]))
+            floating.append(low[2] - ground)
+            buried.append((ground - low[2]) / (high - low[2]))
+    assert max(floating) < 0.05
+    if kind == "log":
+        assert max(buried) < 0.6
+    assert max(np.abs(rows["normal_x"])) > 0.02
+
+
+def test_driftwood_looks_at_the_ground_as_far_as_it_reaches():
+    """L09: a change under the end of the longest log makes its tile again."""
+    level, fresh = bumpy(), bumpy()
+    for each in (level, fresh):
+        each.set("scatter.size", 8.0)
+    place = Rect(120, 120, 136, 136)
+    before = scatter_instances(level, "log").tobytes()
+    for each in (level, fresh):
+        each.write("height", place, 3.0)
+    assert scatter_instances(level, "log").tobytes() == scatter_instances(fresh, "log").tobytes() != before

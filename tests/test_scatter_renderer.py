@@ -12,7 +12,7 @@ from shorewright.level.objects import Camera
 from shorewright.level.params import describe
 from shorewright.level.scatter import INSTANCE
 from shorewright.level.scatter_kinds import SCATTER
-from shorewright.level.scatter_meshes import mesh
+from shorewright.level.scatter_meshes import MESHES, mesh
 from shorewright.level.settings import Settings
 from shorewright.renderer import Renderer, Show, render
 from shorewright.renderer import scatter as gathering
@@ -223,6 +223,33 @@ def one_rock(monkeypatch, at=(128.0, 128.0), size=1.5, ground=4.0) -> Level:
 
 def above(height=24.0, at=(128.0, 128.0), ground=4.0) -> Camera:
     return Camera(id="above", x=at[0], y=at[1], z=ground + height, yaw_deg=0, pitch_deg=-90, fov_deg=30)
+
+
+@pytest.mark.parametrize("variant", range(MESHES["log"].variants))
+def test_no_light_falls_between_a_log_and_its_shadow(draw, monkeypatch, variant):
+    """L03: seen from the shady side at twice the log's length, ground that the trunk stands over is dark throughout."""
+    level = Level(Grid(257, 257), np.full((257, 257), 4.0, np.float32))
+    row = np.zeros(1, INSTANCE)
+    row["x"], row["y"], row["z"], row["scale"], row["open"], row["variant"] = 128.3, 128.4, 4.0, 3.0, 1.0, variant
+    row["yaw"] = 0.3
+    monkeypatch.setattr(
+        gathering, "near", lambda level, name, eye, far: row if name == "log" else np.empty(0, INSTANCE)
+    )
+    level.set("light.sun_azimuth_deg", 180.0)
+    level.set("light.sun_elevation_deg", 35.0)
+    eye = Camera(id="eye", x=128.3, y=132.0, z=5.5, yaw_deg=180, pitch_deg=-25, fov_deg=45)
+    lit = draw(level, "prop_shadow", eye, (480, 270), linear=True)[..., 0]
+    position = draw(level, "position", eye, (480, 270), linear=True)[..., :3]
+    made = mesh("log", variant, 0).vertices[: 13 * 9].reshape(13, 9, 3) * 3.0
+    # the trunk's shady side by its spine, turned back to where the log lies along x
+    turn = np.array([[np.cos(0.3), np.sin(0.3)], [-np.sin(0.3), np.cos(0.3)]])
+    local = (position[..., :2] - (128.3, 128.4)) @ turn.T
+    side = np.interp(local[..., 0], made[..., 0].mean(axis=1), made[..., 1].max(axis=1))
+    under = (np.abs(local[..., 0]) < 1.2) & (local[..., 1] > side - 0.1) & (local[..., 1] < side)
+    under &= np.abs(position[..., 2] - 4.0) < 0.004
+    assert under.sum() > 60
+    assert lit[under].mean() < 0.15
+    assert lit[under].max() < 0.5
 
 
 @pytest.mark.parametrize(("azimuth", "way"), [(180.0, (0, 1)), (270.0, (1, 0)), (45.0, (-0.70711, -0.70711))])

@@ -22,6 +22,7 @@ LARGEST_M = 512.0
 NEAR = 0.25  # side of the small square, in large ones
 STEPS = 16  # parts of its side by which a square moves
 MOST_SLANT = 12.0  # run over rise of the sun's rays; a lower sun throws no longer shadows
+BLADES_M = 0.02  # blades are drawn so much lower, and a texel
 NIGHT = 0.01  # below this height the sun throws none
 
 
@@ -121,9 +122,13 @@ def _render(frame: Frame, made: PropMap, index: int, square: np.ndarray, way: np
     for name, value in {"u_slant": tuple(way), "u_half_m": half, "u_range_m": made.range_m}.items():
         shader.program[name].value = value
 
+    lower_m = BLADES_M + 2 * half / made.size
+
     def turned(kind):
-        # closed things by their far side, so that no lit face shades itself; blades have two
-        (ctx.disable if kind.channel == "grass" else ctx.enable)(ctx.CULL_FACE)
+        # closed things by their far side, so that no lit face shades itself; blades have two, and lie lower for it
+        blades = kind.channel == "grass"
+        (ctx.disable if blades else ctx.enable)(ctx.CULL_FACE)
+        shader.program["u_lower_m"].value = lower_m if blades else 0.0
         return shader
 
     ctx.enable(ctx.DEPTH_TEST)

@@ -4,10 +4,12 @@
 #include "lib/scatter.glsl"
 uniform vec2 u_slant;     // metres towards the sun a metre up
 uniform float u_half_m;   // half the side of the square
+uniform float u_lower_m;  // blades: by which they are lowered, so that they don't shade themselves
 uniform float u_range_m;  // greatest height over or under its middle
 
 void main() {
     vec3 p = in_place.xyz + instance_axes() * in_position * in_place.w;
+    p.z -= u_lower_m;
     gl_Position = vec4((p.xy - u_slant * p.z) / u_half_m, -p.z / u_range_m, 1.0);
 }
 #endif

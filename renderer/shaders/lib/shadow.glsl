@@ -36,7 +36,8 @@ float prop_visibility(vec3 position) {
     vec2 texel = (at * 0.5 + 0.5) * size.y - 0.5 + vec2(near ? 0.0 : size.y, 0.0);
     vec2 low = floor(texel), f = texel - low;
     vec4 square = u_prop_squares[near ? 0 : 1];
-    float height = position.z - square.z + 0.008 + 0.3 * square.w / size.y, lit;
+    // the map holds the far sides of things: light doesn't pass between one and the ground that it touches
+    float height = position.z - square.z - 0.004 - 0.3 * square.w / size.y, lit;
     if (u_prop_soft) {
         vec4 sw = prop_lit(low / size, height), se = prop_lit((low + vec2(2.0, 0.0)) / size, height);
         vec4 nw = prop_lit((low + vec2(0.0, 2.0)) / size, height), ne = prop_lit((low + 2.0) / size, height);
