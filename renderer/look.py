@@ -118,7 +118,7 @@ def _foam(settings: Settings, time_s: float) -> dict:
 
 
 def whitecap_share(wind_mps: float) -> float:
-    """Share of the open sea that whitecaps cover: 3.84e-6 U^3.41 (Monahan & O'Muircheartaigh 1980), none in light wind."""
+    """Share of the open sea that is white: 3.84e-6 U^3.41 (Monahan & O'Muircheartaigh 1980), none in light wind."""
     return min(3.84e-6 * wind_mps**3.41, 0.6) * min(max(wind_mps - 3.7, 0.0), 1.0)
 
 
