@@ -188,8 +188,11 @@ def _stand(level: Level, kind: Kind, found: np.ndarray, scale, gradient, sunk, t
 
 
 def density(kind: Kind, place: Place) -> np.ndarray:
-    """Share of places that are taken: the rule times the setting, then paint from none (−1) to full (1)."""
-    amount = getattr(place.settings.scatter, kind.channel)
+    """Share of places that are taken: the rule times the setting, then paint from none (−1) to full (1).
+
+    Where a rule already takes every place, more can only stand in the gaps: rules widen their clumps by the amount.
+    """
+    amount = place.amount
     channels = ("rocks", "driftwood", "grass")
     paint = place.paint[:, channels.index(kind.channel)]
     ruled = np.clip(kind.rule(place) * amount, 0.0, 1.0)
@@ -219,7 +222,7 @@ def _look(level: Level, x: np.ndarray, y: np.ndarray, kind: Kind) -> tuple[Place
                 foot = np.maximum(foot, (_nearest(level, x + radius * east, y + radius * north) - z) / radius)
     paint, cover = (_layer(level, name, x, y) for name in ("scatter", "cover"))
     place = Place(x, y, z - level.sea_level_m, slope, np.maximum(foot - slope, 0.0), cover, paint, level.settings,
-                  lattice(level.settings.level.seed))  # fmt: skip
+                  lattice(level.settings.level.seed), getattr(level.settings.scatter, kind.channel))  # fmt: skip
     return place, gradient
 
 
