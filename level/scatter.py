@@ -19,8 +19,8 @@ from .noise import lattice
 from .params import get
 from .pick import ground_at
 from .scatter_kinds import SCATTER, Kind, Place
-from .scatter_lie import lie, tilted
-from .scatter_meshes import BEDDED, variants
+from .scatter_lie import stand
+from .scatter_meshes import variants
 
 TILE_M = 32.0
 FOOT_M = (3.0, 8.0)  # rings on which the ground round a place is looked at
@@ -165,44 +165,22 @@ def _make(level: Level, kind: Kind, tiles: list[tuple[int, int]]) -> list[np.nda
     found["variant"] = np.floor(drawn(8) * variants(kind.mesh))
     found["open"] = _open(level, x[taken], y[taken], gradient[:, taken])
     size = level.settings.scatter.size
-    _stand(level, kind, found, (low + (high - low) * share) * size, gradient[:, taken], drawn(4), drawn(5))
+    stand(level, kind, found, (low + (high - low) * share) * size, gradient[:, taken], drawn(4), drawn(5))
     ends = np.searchsorted(np.flatnonzero(taken), np.arange(1, len(tiles)) * side * side)
     return [part[part["scale"] > 0] for part in np.split(found, ends)]
 
 
-def _stand(level: Level, kind: Kind, found: np.ndarray, scale, gradient, sunk, turn) -> None:
-    """Write height, size, yaw and tilt of things at their places; size 0 where one can't lie."""
-    x, y, yaw = found["x"].astype(np.float64), found["y"].astype(np.float64), _yaw(kind, turn, gradient)
-    deep = kind.sink * scale * sunk
-    if kind.along_contour:
-        least = kind.size_m[0] * min(level.settings.scatter.size, 1.0)
-        scale, z, bend, rise, fits = lie(level, x, y, yaw, gradient, scale, least)
-        yaw, gradient = tilted(yaw, gradient, rise)
-        deep = np.maximum(kind.sink * scale * sunk, bend - BEDDED[kind.mesh] * scale)
-        scale = scale * fits
-    else:
-        z = ground_at(level, x, y)
-    lean = kind.align / np.sqrt(1 + (kind.align * gradient[0]) ** 2 + (kind.align * gradient[1]) ** 2)
-    found["z"], found["scale"], found["yaw"] = z - deep, scale, yaw
-    found["normal_x"], found["normal_y"] = -gradient[0] * lean, -gradient[1] * lean
-
-
 def density(kind: Kind, place: Place) -> np.ndarray:
-    """Share of places that are taken: the rule times the setting, then paint from none (−1) to full (1)."""
-    amount = getattr(place.settings.scatter, kind.channel)
+    """Share of places that are taken: the rule times the setting, then paint from none (−1) to full (1).
+
+    Where a rule already takes every place, more can only stand in the gaps: rules widen their clumps by the amount.
+    """
+    amount = place.amount
     channels = ("rocks", "driftwood", "grass")
     paint = place.paint[:, channels.index(kind.channel)]
     ruled = np.clip(kind.rule(place) * amount, 0.0, 1.0)
     more = np.maximum(paint, 0.0) * kind.allowed(place)
     return (ruled + (np.maximum(kind.full, ruled) - ruled) * more) * (1 + np.minimum(paint, 0.0))
-
-
-def _yaw(kind: Kind, drawn: np.ndarray, gradient: np.ndarray) -> np.ndarray:
-    if not kind.along_contour:
-        return drawn * 2 * np.pi
-    # waves roll logs until they lie along the shore; some stay askew
-    askew = 2 * drawn - 1
-    return np.arctan2(gradient[0], -gradient[1]) + 1.3 * askew * askew * askew
 
 
 def _look(level: Level, x: np.ndarray, y: np.ndarray, kind: Kind) -> tuple[Place, np.ndarray]:
@@ -219,7 +197,7 @@ def _look(level: Level, x: np.ndarray, y: np.ndarray, kind: Kind) -> tuple[Place
                 foot = np.maximum(foot, (_nearest(level, x + radius * east, y + radius * north) - z) / radius)
     paint, cover = (_layer(level, name, x, y) for name in ("scatter", "cover"))
     place = Place(x, y, z - level.sea_level_m, slope, np.maximum(foot - slope, 0.0), cover, paint, level.settings,
-                  lattice(level.settings.level.seed))  # fmt: skip
+                  lattice(level.settings.level.seed), getattr(level.settings.scatter, kind.channel))  # fmt: skip
     return place, gradient
 
 

@@ -6,6 +6,7 @@ comparisons alone, so that a place answers the same whichever tile or batch it i
 
 from __future__ import annotations
 
+import math
 import zlib
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -14,6 +15,8 @@ import numpy as np
 
 from .noise import value_noise
 from .settings import Settings
+
+WIDER = 0.14  # of noise, by which clumps begin sooner where the amount doubles
 
 
 @dataclass
@@ -29,6 +32,12 @@ class Place:
     paint: np.ndarray
     settings: Settings
     lattice: np.ndarray
+    amount: float = 1.0  # the setting that counts the kind
+
+    def clumps(self, bare: float, full: float, v: np.ndarray) -> np.ndarray:
+        """Where noise `v` gathers things, 0 … 1: an amount over 1 widens clumps, and at 4 little is left bare."""
+        wider = WIDER * math.log2(max(self.amount, 1.0))
+        return smooth(bare - wider, full - wider, v)
 
     @property
     def top_m(self) -> float:
@@ -98,7 +107,7 @@ def _tan(degrees: float) -> float:
 def boulders(p: Place) -> np.ndarray:
     """Fallen at the feet of cliffs, down into the shallows; a few on flat rock."""
     fallen = smooth(0.12, 0.55, p.foot) * smooth(1.1, 0.6, p.slope)
-    clusters = smooth(0.30, 0.62, 0.6 * p.noise(13.0, 1) + 0.4 * p.noise(5.0, 2))
+    clusters = p.clumps(0.30, 0.62, 0.6 * p.noise(13.0, 1) + 0.4 * p.noise(5.0, 2))
     strewn = 0.16 * stony(p) * smooth(0.7, 0.35, p.slope) * smooth(2.5, 1.2, p.over)
     return (2.3 * fallen + strewn) * clusters * _shallow(p, 2.6) * smooth(12.0, 5.0, p.over)
 
@@ -106,14 +115,14 @@ def boulders(p: Place) -> np.ndarray:
 def stones(p: Place) -> np.ndarray:
     """Round the boulders, and in patches where the swash sorts them."""
     fallen = smooth(0.06, 0.40, p.foot) * smooth(1.0, 0.5, p.slope) * smooth(12.0, 5.0, p.over)
-    clusters = smooth(0.38, 0.68, 0.55 * p.noise(13.0, 1) + 0.45 * p.noise(3.1, 4))
-    patches = smooth(0.56, 0.80, 0.65 * p.noise(21.0, 5) + 0.35 * p.noise(4.3, 6))
+    clusters = p.clumps(0.38, 0.68, 0.55 * p.noise(13.0, 1) + 0.45 * p.noise(3.1, 4))
+    patches = p.clumps(0.56, 0.80, 0.65 * p.noise(21.0, 5) + 0.35 * p.noise(4.3, 6))
     return (1.9 * fallen * clusters + 0.8 * _sorted(p) * patches + 0.010 * (1 - turf(p))) * _shallow(p, 1.6)
 
 
 def cobbles(p: Place) -> np.ndarray:
     """Pebbles by the hand in the upper swash, as many as the ground has shingle."""
-    patches = smooth(0.48, 0.76, 0.6 * p.noise(21.0, 5) + 0.4 * p.noise(3.3, 7))
+    patches = p.clumps(0.48, 0.76, 0.6 * p.noise(21.0, 5) + 0.4 * p.noise(3.3, 7))
     fallen = smooth(0.05, 0.3, p.foot) * smooth(0.8, 0.4, p.slope) * smooth(8.0, 3.0, p.over)
     shingle = 0.3 + 2.0 * p.settings.ground.shingle
     return (1.6 * _sorted(p) * patches * shingle + 0.9 * fallen + 0.006 * (1 - turf(p))) * _shallow(p, 0.9)
@@ -132,11 +141,11 @@ def _sorted(p: Place) -> np.ndarray:
 
 def logs(p: Place) -> np.ndarray:
     """The strand line: where the highest waves leave what floats, in heaps."""
-    return 2.2 * _strand(p, 0.9) * smooth(0.44, 0.70, 0.7 * p.noise(27.0, 8) + 0.3 * p.noise(7.0, 9))
+    return 2.2 * _strand(p, 0.9) * p.clumps(0.44, 0.70, 0.7 * p.noise(27.0, 8) + 0.3 * p.noise(7.0, 9))
 
 
 def branches(p: Place) -> np.ndarray:
-    heaps = smooth(0.45, 0.75, 0.6 * p.noise(27.0, 8) + 0.4 * p.noise(4.0, 10))
+    heaps = p.clumps(0.45, 0.75, 0.6 * p.noise(27.0, 8) + 0.4 * p.noise(4.0, 10))
     return _strand(p, 0.55) * (0.10 + 1.4 * heaps)
 
 
@@ -153,13 +162,13 @@ def dune_grass(p: Place) -> np.ndarray:
     edge = max(p.settings.ground.sand_top_m, least + 0.5)
     first = max(least, edge - 1.5)
     belt = smooth(first, edge, p.over) * smooth(edge + 4.5, edge + 1.2, p.over)
-    clumps = smooth(0.36, 0.60, 0.5 * p.noise(8.0, 12) + 0.5 * p.noise(2.3, 13))
+    clumps = p.clumps(0.36, 0.60, 0.5 * p.noise(8.0, 12) + 0.5 * p.noise(2.3, 13))
     return 1.7 * belt * clumps * smooth(0.85, 0.5, p.slope) * (1 - stony(p)) * (1 - 0.7 * p.cover[:, 0])
 
 
 def meadow(p: Place) -> np.ndarray:
     """Tussocks in the turf."""
-    clumps = smooth(0.42, 0.70, 0.5 * p.noise(14.0, 14) + 0.5 * p.noise(3.0, 15))
+    clumps = p.clumps(0.42, 0.70, 0.5 * p.noise(14.0, 14) + 0.5 * p.noise(3.0, 15))
     return 1.6 * turf(p) * clumps * (1 - stony(p)) * smooth(0.9, 0.6, p.slope) * above_swash(p)
 
 

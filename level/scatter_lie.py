@@ -1,7 +1,8 @@
-"""How long things lie (L09): driftwood rests along the ground under its whole length, not on that at its middle alone.
+"""How things stand and lie where they are placed (L09).
 
-Its underside is straight; the ground seldom is. A line is fitted to heights under both ends and between, as deep as no
-part of it floats; where the ground bends too much for the thickness, a shorter piece lies there, or none.
+Driftwood rests along the ground under its whole length, not on that at its middle alone. Its underside is straight;
+the ground seldom is. A line is fitted to heights under both ends and between, so deep that no part of it floats; where
+the ground bends too much for the thickness, a shorter piece lies there, or none.
 """
 
 from __future__ import annotations
@@ -10,12 +11,39 @@ import numpy as np
 
 from .level import Level
 from .pick import ground_at
+from .scatter_kinds import Kind
+from .scatter_meshes import BEDDED
 
 STATIONS = np.linspace(-0.5, 0.5, 9)  # along it, in its length
 MOST_BEND = 0.017  # spread of the ground round the line, in its length: a third of the thinnest end of a log
 MOST_BEND_M = 0.006  # and what nobody sees, m
 SHORTER = 0.65  # by which a piece is cut where it doesn't fit, as often as it takes or the shortest is reached
 CUTS = 4
+
+
+def stand(level: Level, kind: Kind, found: np.ndarray, scale, gradient, sunk, turn) -> None:
+    """Write height, size, yaw and tilt of things at their places; size 0 where one can't lie."""
+    x, y, yaw = found["x"].astype(np.float64), found["y"].astype(np.float64), _yaw(kind, turn, gradient)
+    deep = kind.sink * scale * sunk
+    if kind.along_contour:
+        least = kind.size_m[0] * min(level.settings.scatter.size, 1.0)
+        scale, z, bend, rise, fits = lie(level, x, y, yaw, gradient, scale, least)
+        yaw, gradient = tilted(yaw, gradient, rise)
+        deep = np.maximum(kind.sink * scale * sunk, bend - BEDDED[kind.mesh] * scale)
+        scale = scale * fits
+    else:
+        z = ground_at(level, x, y)
+    lean = kind.align / np.sqrt(1 + (kind.align * gradient[0]) ** 2 + (kind.align * gradient[1]) ** 2)
+    found["z"], found["scale"], found["yaw"] = z - deep, scale, yaw
+    found["normal_x"], found["normal_y"] = -gradient[0] * lean, -gradient[1] * lean
+
+
+def _yaw(kind: Kind, drawn: np.ndarray, gradient: np.ndarray) -> np.ndarray:
+    if not kind.along_contour:
+        return drawn * 2 * np.pi
+    # waves roll logs until they lie along the shore; some stay askew
+    askew = 2 * drawn - 1
+    return np.arctan2(gradient[0], -gradient[1]) + 1.3 * askew * askew * askew
 
 
 def lie(

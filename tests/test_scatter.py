@@ -176,6 +176,25 @@ def test_grass_drowns_whatever_the_sand_and_the_swash(sand_top_m, runup):
         assert (over(level, rows) + SCATTER[name].sink * rows["scale"]).min() > top
 
 
+@pytest.mark.parametrize("name", SCATTER)
+def test_the_amount_counts_all_the_way_up(name):
+    """L09: none at 0, more with each step, nothing that stood goes; from 1 to 4 by 1.8 where there is room.
+
+    Boulders fill the whole foot of this coast's cliff at 2 already.
+    """
+    level, counts, before = coast(), [], set()
+    for amount in (0.0, 0.5, 1.0, 2.0, 4.0):
+        level.set(f"scatter.{SCATTER[name].channel}", amount)
+        rows = scatter_instances(level, name)
+        places = set(zip(rows["x"].tolist(), rows["y"].tolist(), strict=True))
+        assert before <= places
+        before = places
+        counts.append(len(rows))
+    assert counts[0] == 0
+    assert (np.diff(counts) > 0).all()
+    assert counts[4] > (1.2 if name == "boulder" else 1.8) * counts[2]
+
+
 def test_driftwood_lies_along_the_shore(placed):
     """The contour runs east and west here; most of it is within 45° of that."""
     yaw = placed[1]["branch"]["yaw"]
