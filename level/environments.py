@@ -43,7 +43,7 @@ ENVIRONMENTS: dict[str, Environment] = {
              turbidity=3.2, wind_mps=3.0),
         _row("overcast", "Overcast", "A closed sheet of cloud: soft light, no shadows.", (205.0, 48.0), 12.4,
              clouds=(1.0, 22.0), fog=(0.00005, 500.0), white_k=6000, wind_mps=7.0),
-        _row("storm", "Storm", "Dark towers of cloud, rain haze, wind.", (240.0, 24.0), 11.5, turbidity=3.5,
+        _row("storm", "Storm", "A dark sheet of cloud, haze, a hard wind.", (240.0, 24.0), 11.2, turbidity=3.5,
              clouds=(1.0, 70.0), fog=(0.00022, 700.0), white_k=5400, wind_mps=16.0),
         _row("moonlit", "Moonlit", "The full moon over the bay.", (215.0, 32.0), -2.4, turbidity=2.2, body="moon",
              white_k=4200, wind_mps=3.0),

@@ -111,7 +111,7 @@ class Light(Section):
     cloud_depth: float = param(
         12.0, 0, 200, "", "Optical depth of that layer: 5 a bright veil, 60 a storm.", soft=(2, 80)
     )
-    exposure_ev: float = param(13.8, -8, 22, "EV100", "Exposure.", soft=(-4, 17))
+    exposure_ev: float = param(14.2, -8, 22, "EV100", "Exposure.", soft=(-4, 17))
     white_k: float = param(5600, 1500, 20_000, "K", "Colour temperature that shows as white.", soft=(3000, 9000))
     display: Literal["agx", "aces", "neutral", "raw"] = param("agx", doc="Transform from scene light to the display.")
     shadows: bool = param(True, doc="The sun casts shadows of land and props.")

@@ -110,8 +110,8 @@ Thing thing_at(vec3 p, vec3 n, float pixel_m, float height, out float porous) {
 Thing thing_at(vec3 p, vec3 n, float pixel_m, float height, out float porous) {
     vec4 wide = noise_at(p.xy, 61.0, pixel_m);
     float dry = clamp(0.55 * v_look.x + 0.75 * (wide.g - 0.25), 0.0, 1.0);
-    vec3 meadow = mix(vec3(0.062, 0.088, 0.024), vec3(0.190, 0.155, 0.070), dry);
-    vec3 marram = mix(vec3(0.108, 0.142, 0.048), vec3(0.315, 0.260, 0.120), dry);
+    vec3 meadow = mix(vec3(0.062, 0.080, 0.032), vec3(0.180, 0.154, 0.084), dry);
+    vec3 marram = mix(vec3(0.108, 0.130, 0.060), vec3(0.300, 0.254, 0.138), dry);
     vec3 tint = mix(meadow, marram, u_kind_tall);
     tint *= mix(0.55, 1.15, v_look.z);
     tint = mix(tint, tint * vec3(1.25, 1.12, 0.85), v_look.z * v_look.z * 0.6);

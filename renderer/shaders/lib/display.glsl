@@ -6,8 +6,8 @@ float exposure_scale(float ev100) { return 1000.0 / (1.2 * exp2(ev100)); }
 // AgX's idea (Sobotka): pull colours together, a sigmoid per channel in log space, push them apart again. Own curve and
 // matrix: grey is kept exactly, because the pull goes along a weighted mean whose weights sum to 1.
 const vec3 AGX_MEAN = vec3(0.27, 0.47, 0.26);
-const float AGX_PULL = 0.11, AGX_PUSH = 0.31;
-const float AGX_DARK = -9.5, AGX_LIGHT = 5.6;   // stops round middle grey
+const float AGX_PULL = 0.11, AGX_PUSH = 0.335;
+const float AGX_DARK = -9.5, AGX_LIGHT = 5.0;   // stops round middle grey
 
 float agx_sigmoid(float stops) {
     const float grey = 0.4695;                     // 0.18 through a gamma of 2.2667, lifted a little
