@@ -172,8 +172,8 @@ class Picture:
         if self.renderer is None:
             return held
         held["generated"] = sum(self.renderer.generated.bytes.values())
-        targets = [t for owner in self.renderer.targets.values() for t in owner.textures.values()]
-        for name, texture in [*self.renderer.uploader.textures.items(), *(("", t) for t in targets)]:
+        maps = (("", texture) for texture in self.renderer.map_textures())
+        for name, texture in [*self.renderer.uploader.textures.items(), *maps]:
             layer = "height" if name == "u_height" else name.removeprefix("u_layer_")
             layer = layer if layer in LAYERS else "other"
             held[layer] = held.get(layer, 0) + _texture_bytes(texture)

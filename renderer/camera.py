@@ -84,6 +84,15 @@ def camera_matrices(
     )
 
 
+def jitter(index: int, samples: int) -> tuple[float, float]:
+    """Where sample `index` of a picture stands from its pixel's middle, in pixels, mean 0 (R2, M. Roberts, 2018)."""
+    if samples <= 1:
+        return 0.0, 0.0
+    points = np.arange(samples)[:, None] * (0.7548776662466927, 0.5698402909980532) % 1.0
+    x, y = points[index] - points.mean(axis=0)
+    return float(x), float(y)
+
+
 def pick(level: Level, camera: Camera, size: tuple[int, int], px: float, py: float):
     """The ground point (x, y, z) under a pixel position, None where the ray misses the level."""
     matrices = camera_matrices(camera, size)

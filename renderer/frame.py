@@ -15,7 +15,7 @@ import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera
-from .camera import Matrices, camera_matrices
+from .camera import Matrices, camera_matrices, jitter
 from .quality import Tier, tier
 from .show import Overlays, Show
 from .views import View, find_view
@@ -233,21 +233,25 @@ class Renderer:
         texture.use(0)
         shader.fullscreen()
 
+    def map_textures(self) -> list:
+        """Textures of targets, and of the maps that passes keep: shadows, open sky, mirrors."""
+        owners = [t for held in self.kept.values() for t in (held.values() if isinstance(held, dict) else [held])]
+        maps = [t for owner in owners for t in getattr(owner, "textures", [getattr(owner, "texture", None)]) if t]
+        return [*maps, *(t for owner in self.targets.values() for t in owner.textures.values())]
+
     def release(self) -> None:
         """Give back everything on the GPU."""
-        owners = (self.targets, self.meshes, *(self.kept.get(name, {}) for name in ("shadows", "scatter", "openness")))
-        kept = [thing for thing in self.kept.values() if hasattr(thing, "release")]
-        parts = (self.programs, self.uploader, self.generated, self.sky, *kept)
-        for thing in (*parts, *(t for held in owners for t in held.values())):
-            thing.release()
-        for held in (self.kept, self.targets, self.meshes):
+        for part in (self.programs, self.uploader, self.generated, self.sky):
+            part.release()
+        for held in (self.targets, self.meshes, self.kept):
+            _give_back(held)
             held.clear()
 
 
-def jitter(index: int, samples: int) -> tuple[float, float]:
-    """Where sample `index` of a picture stands from its pixel's middle, in pixels, mean 0 (R2, M. Roberts, 2018)."""
-    if samples <= 1:
-        return 0.0, 0.0
-    points = np.arange(samples)[:, None] * (0.7548776662466927, 0.5698402909980532) % 1.0
-    x, y = points[index] - points.mean(axis=0)
-    return float(x), float(y)
+def _give_back(held: dict) -> None:
+    """Release what a dictionary holds, dictionaries in it too; what needs no release is let go."""
+    for thing in held.values():
+        if isinstance(thing, dict):
+            _give_back(thing)
+        elif hasattr(thing, "release"):
+            thing.release()

@@ -7,7 +7,7 @@ from shorewright.level import Clock, Grid, Level, Rect
 from shorewright.level.objects import Camera
 from shorewright.level.shore import shore_map
 from shorewright.renderer import Renderer, Show, camera_matrices, pick, render
-from shorewright.renderer.frame import jitter
+from shorewright.renderer.camera import jitter
 from shorewright.renderer.upload import Uploader
 
 pytestmark = pytest.mark.gl
@@ -238,3 +238,17 @@ def test_night_falls_without_a_step(renderer):
         means.append(render(level, camera(pitch=-12), SIZE, 5.0, linear=True, renderer=renderer).mean())
     steps = np.abs(np.diff(means)) / means[:-1]
     assert steps.max() < 0.02
+
+
+def test_maps_that_are_kept_are_told(ctx):
+    """What the memory table counts: three maps of the land's shadow, the open sky, shadows of things, the mirror."""
+    renderer = Renderer(ctx)
+    render(coast(), camera(), (32, 18), 1.0, renderer=renderer)
+    sizes = [texture.size for texture in renderer.map_textures()]
+    (shadow,) = renderer.kept["shadows"].values()
+    assert sizes.count(shadow.size) >= 3
+    assert renderer.kept["lobes"].texture.size in sizes
+    assert (2 * 1024, 1024) in sizes
+    assert (32, 18) in sizes
+    renderer.release()
+    assert renderer.map_textures() == []

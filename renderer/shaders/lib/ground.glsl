@@ -102,8 +102,10 @@ void ground_weights(Site s, out float weights[LAYERS]) {
     }
 }
 
-// The heaviest layers, heaviest first.
-void heaviest(float weights[LAYERS], out ivec3 layers, out vec3 shares) {
+// The heaviest layers of a place, heaviest first.
+void heaviest(Site s, out ivec3 layers, out vec3 shares) {
+    float weights[LAYERS];
+    ground_weights(s, weights);
     layers = ivec3(0);
     shares = vec3(-1.0);
     for (int i = 0; i < LAYERS; ++i) {
@@ -184,11 +186,9 @@ void wet_through(inout Ground g, vec3 normal, float wet) {
 Ground ground_at(vec3 position, Site s, float wet, float pixel_m, out int layer) {
     layer = FLOOR;
     if (s.height < -DARK_DEPTH_M) return Ground(vec3(0.3, 0.27, 0.2), s.normal, 0.9, 0.03);
-    float weights[LAYERS];
     ivec3 layers;
     vec3 shares;
-    ground_weights(s, weights);
-    heaviest(weights, layers, shares);
+    heaviest(s, layers, shares);
     Patch tile = small_patch(position.xy, s.broad, s.mid, pixel_m);
     Macro macro = macro_at(position, s, pixel_m);
     Sample samples[MOST_LAYERS];

@@ -10,11 +10,9 @@ float material_relief(vec3 p, float away, float fade) {
     float height = p.z - u_still_m, pixel_m = max(u_mesh_cell_m, u_relief_cell_m * away);
     vec3 normal = ground_normal(ground_sample(p.xy).yz);
     Site site = terrain_site(p.xy, normal, height, torn_at(p.xy, pixel_m), pixel_m);
-    float weights[LAYERS];
     ivec3 layers;
     vec3 shares;
-    ground_weights(site, weights);
-    heaviest(weights, layers, shares);
+    heaviest(site, layers, shares);
     Patch tile = small_patch(p.xy, site.broad, site.mid, pixel_m);
     float wave = smoothstep(u_swash_top_m, u_swash_top_m + 0.5, height) + 1.0 - smoothstep(-1.2, -0.5, height);
     float sum = 0.0;
