@@ -44,6 +44,92 @@ class Disturbance(Placed):
     strength: float = param(1.0, -20, 20, "m/s", "Speed it gives the water.")
 
 
-OBJECT_KINDS = {row.model_fields["kind"].default: row for row in (Camera, SeaSeed, Disturbance)}
+class FlowPoint(Placed):
+    """A place that the current runs to (D06)."""
+
+    kind: Literal["flow_point"] = "flow_point"
+    speed_mps: float = param(0.6, -10, 10, "m/s", "Speed towards it; negative runs away from it.", soft=(-2, 2))
+    radius_m: float = param(80.0, 1, 20_000, "m", "How far it reaches.", soft=(10, 500))
+
+
+class ViewCircle(Placed):
+    """How far the sea is seen from an extreme viewpoint: the mesh covers all of these circles (H01)."""
+
+    kind: Literal["view_circle"] = "view_circle"
+    radius_m: float = param(400.0, 10, 20_000, "m", "View distance from there.", soft=(50, 1000))
+
+
+class SeaPatch(Placed):
+    """What the hectare of sea round a point is, whatever the distance to the shore says (H01, H27)."""
+
+    kind: Literal["sea_patch"] = "sea_patch"
+    sea: Literal["open", "coastal", "beach", "removed"] = param(
+        "removed", doc="Kind of sea there; removed: none is drawn."
+    )
+
+
+class WaterTable(Placed):
+    """What metres of water do to light, as gradient stops (H15); `water.table` names the one in use."""
+
+    kind: Literal["water_table"] = "water_table"
+    stops: tuple[tuple[float, float, float, float, float, float, float], ...] = Field(
+        ((0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0), (200.0, 0.0, 0.0, 0.0, 0.0, 0.03, 0.06)),
+        description="Metres of water, what is left of red, green, blue, and light it adds of each as an albedo.",
+    )
+
+
+class PointLight(Placed):
+    """A lamp: inverse square up to a radius (D01). It may go round in a circle with the clock."""
+
+    kind: Literal["light"] = "light"
+    z: float = param(3.0, -1e5, 1e5, "m", "Up, from height zero of the level.")
+    red: float = param(1.0, 0, 1, "", "Share of red light.")
+    green: float = param(0.75, 0, 1, "", "Share of green light.")
+    blue: float = param(0.45, 0, 1, "", "Share of blue light.")
+    power_kcd: float = param(5.0, 0, 1000, "kcd", "Luminous intensity.", soft=(0, 100))
+    radius_m: float = param(25.0, 0.5, 500, "m", "Where its light ends.", soft=(2, 100))
+    orbit_m: float = param(0.0, 0, 500, "m", "Radius of the circle it goes round its place.", soft=(0, 20))
+    period_s: float = param(8.0, 0.5, 1000, "s", "Time of one turn.", soft=(2, 60))
+
+
+class Prop(Placed):
+    """A mesh that stands in the level, or floats (D12). Its mesh lies in the level's folder."""
+
+    kind: Literal["prop"] = "prop"
+    mesh: str = Field("", max_length=200, description="Name of its mesh among those of the level.")
+    z: float = param(0.0, -1e5, 1e5, "m", "Height of its origin; a floating thing finds its own.")
+    yaw_deg: float = param(0.0, -360, 360, "°", "Turned about the vertical, clockwise from north.")
+    pitch_deg: float = param(0.0, -90, 90, "°", "Bow up.")
+    roll_deg: float = param(0.0, -180, 180, "°", "Heeled to the right.")
+    scale: float = param(1.0, 0.001, 1000, "×", "Size.", soft=(0.1, 10))
+    floats: bool = param(False, doc="It floats on the waves.")
+    density: float = param(
+        0.45, 0.02, 1.5, "", "Its weight against that of the water its hull box holds.", soft=(0.1, 1)
+    )
+    drifts: bool = param(False, doc="The current takes it along; else it stays at its mooring.")
+    ripples: bool = param(True, doc="It draws rings on the water.")
+
+
+class Hit(Placed):
+    """Something small that struck the water at one moment and drew a ring (H19)."""
+
+    kind: Literal["hit"] = "hit"
+    time_s: float = param(0.0, 0, 1e7, "s", "When it struck.")
+    size: float = param(1.0, 0.01, 20, "×", "How hard.", soft=(0.1, 4))
+
+
+class Mover(Placed):
+    """Something that wades in a circle and stirs the water (D18)."""
+
+    kind: Literal["mover"] = "mover"
+    circle_m: float = param(4.0, 0, 200, "m", "Radius of its circle.", soft=(0.5, 30))
+    speed_mps: float = param(2.0, -20, 20, "m/s", "Its speed along it.", soft=(-6, 6))
+    radius_m: float = param(0.6, 0.1, 20, "m", "How broad it is.", soft=(0.2, 4))
+
+
+_KINDS = (
+    Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaterTable, PointLight, Prop, Hit, Mover,
+)  # fmt: skip
+OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]
 OBJECT = TypeAdapter(Object)

@@ -34,6 +34,17 @@ class Sea(Section):
         soft=(0, 20),
     )
     variance: float = param(0.35, 0, 1, "", "How far single fronts leave their group's amplitude, length and heading.")
+    phase_noise: float = param(
+        0.25, 0, 2, "", "How far a broad noise moves single crests along their way, in wavelengths.", soft=(0, 1)
+    )
+    phase_noise_m: float = param(170.0, 10, 5000, "m", "Size of that noise.", soft=(50, 600))
+    mesh: Literal["auto", "grid", "tessellated"] = param(
+        "auto", doc="How the surface is made: by the renderer's choice, from grids, or tessellated on the GPU."
+    )
+    near_m: float = param(120.0, 20, 2000, "m", "Up to here the surface is as fine as it gets.", soft=(40, 400))
+    falloff: float = param(1.6, 1, 4, "", "How much faster than linear the surface coarsens beyond.", soft=(1, 3))
+    coastal_m: float = param(60.0, 5, 140, "m", "From the shore to here the sea follows the coast.", soft=(20, 120))
+    beach_m: float = param(18.0, 1, 100, "m", "From the shore to here the sea touches the beach.", soft=(5, 40))
     deep_start_m: float = param(0.5, 0, 100, "m", "Depth at which the offshore waves begin.", soft=(0, 10))
     deep_full_m: float = param(9.0, 0.1, 400, "m", "Depth at which the offshore waves have their full height.")
 
@@ -65,6 +76,12 @@ class Shore(Section):
     stagger: float = param(
         0.0, 0, 2, "", "How far waves arrive earlier or later along the shore, in intervals.", soft=(0, 1)
     )
+    sway: float = param(
+        0.12, 0, 1, "", "How far waves come earlier and later along the shore in a regular rhythm, in intervals.",
+        soft=(0, 0.5),
+    )  # fmt: skip
+    sway_m: float = param(60.0, 5, 2000, "m", "Length of that rhythm along the shore.", soft=(20, 200))
+    slide: bool = param(True, doc="The sheet slides on the beach: the surface never dips below the sand (H10).")
     monotone: bool = param(True, doc="Fronts pass a bar once: the clock reads the least depth on the way from the sea.")
     smooth_m: float = param(2.0, 0, 100, "m", "How far the clock's bed is smoothed, so that pebbles bend no front.")
     distance_range_m: float = param(
@@ -89,6 +106,99 @@ class Water(Section):
     specular: float = param(0.02, 0, 0.2, "", "Reflectance of the water seen from straight above.")
     foam: float = param(1.0, 0, 2, "", "Amount of foam the shore waves carry.")
     foam_tile_m: float = param(9.0, 0.5, 200, "m", "Size of one foam tile.", soft=(2, 30))
+    model: Literal["plate", "albedo"] = param(
+        "plate",
+        doc="What lies below: lit first and seen through the water, or its colour lit with the water (low tier).",
+    )
+    table: str = param("", doc="Name of the water table in use; empty: what this section says.")
+    bend: float = param(1.0, 0, 4, "×", "How far waves bend what is seen through them.", soft=(0, 2))
+    blur: float = param(1.0, 0, 4, "×", "How blurred what lies deep is seen.", soft=(0, 2))
+    blur_distance_m: float = param(
+        9.0, 0.1, 200, "m", "Way through the water at which it is fully blurred.", soft=(1, 40)
+    )
+    dispersion: float = param(0.0, 0, 1, "", "How differently red, green and blue are bent.", soft=(0, 0.3))
+    reflections: float = param(1.0, 0, 1, "", "How clearly the coast is mirrored.")
+
+
+class Caustics(Section):
+    """Bright lines that waves draw on whatever lies under water (D08, H13)."""
+
+    on: bool = param(True, doc="Caustics.")
+    strength: float = param(1.0, 0, 4, "×", "How bright the lines are.", soft=(0, 2))
+    tile_m: float = param(5.6, 0.5, 100, "m", "Size of one tile of them.", soft=(2, 15))
+    bend: float = param(1.0, 0, 4, "×", "How far they sway.", soft=(0, 2))
+    depth_m: float = param(5.0, 0.1, 100, "m", "Depth by which they have faded to a third.", soft=(1, 20))
+
+
+class Flow(Section):
+    """Currents that carry foam: what follows from the coast and from flow points, plus what is painted (D05, D06)."""
+
+    on: bool = param(True, doc="Foam and ripples move with the water; off, they stand still while masks travel.")
+    shore_mps: float = param(0.25, 0, 5, "m/s", "Current towards the shore, where nothing else is said.", soft=(0, 1))
+    points: float = param(1.0, 0, 4, "×", "Strength of flow points.", soft=(0, 2))
+    painted: float = param(1.0, 0, 4, "×", "Strength of the painted current.", soft=(0, 2))
+    interval_s: float = param(
+        5.0, 0.3, 60, "s", "Time after which a moving texture starts again, unseen.", soft=(1, 10)
+    )
+    noise: float = param(0.7, 0, 2, "", "How differently in time places start again, in cycles.", soft=(0, 1))
+    noise_m: float = param(14.0, 1, 500, "m", "Size of that difference.", soft=(5, 40))
+
+
+class Foam(Section):
+    """Where the sea is white besides its breaking waves (D07, H18), and the shade that foam throws (D21)."""
+
+    shore: float = param(0.35, 0, 1, "", "Constant foam along the shoreline.")
+    shore_near_m: float = param(1.0, -50, 150, "m", "Distance to the shore up to which it is whole.", soft=(0, 20))
+    shore_far_m: float = param(12.0, -50, 150, "m", "Distance at which it has thinned away.", soft=(2, 60))
+    height: float = param(0.35, 0, 1, "", "Foam on the highest water.")
+    height_low: float = param(0.45, -1, 1, "", "Height at which it begins, against the largest possible.", soft=(0, 1))
+    height_high: float = param(0.95, -1, 1.5, "", "Height at which it is whole.", soft=(0, 1.2))
+    transient: float = param(1.0, 0, 2, "×", "Painted foam that comes and goes with the waves.")
+    constant: float = param(1.0, 0, 2, "×", "Painted foam that is always there.")
+    roughness: bool = param(True, doc="Foam scatters light; off, it is as smooth as the water (D09).")
+    shadow: float = param(0.6, 0, 1, "", "How dark the shade of foam is on what lies below.")
+    shadow_limit_m: float = param(2.5, 0, 20, "m", "How far from the foam it falls at most.", soft=(0, 6))
+
+
+class Glare(Section):
+    """The sun's highlight moved out of the player's way (D20); reflections and refraction keep the true surface."""
+
+    specular: float = param(1.0, 0, 2, "×", "How bright the water's highlight is.", soft=(0, 1))
+    yaw_deg: float = param(0.0, -60, 60, "°", "How far the highlight is turned, positive to the right of the picture.")
+    pitch_deg: float = param(0.0, -60, 60, "°", "How far it is turned, positive towards the lower edge.")
+
+
+class Force(Section):
+    """The water pushed about by what moves in it: a small simulation round the camera (D18)."""
+
+    on: bool = param(True, doc="Run it.")
+    strength: float = param(1.0, 0, 4, "×", "How much it moves surface, flow and foam.", soft=(0, 2))
+    limit_m: float = param(0.25, 0.01, 3, "m", "Highest it lifts the surface.", soft=(0.05, 1))
+    decay_s: float = param(2.5, 0.1, 60, "s", "Time in which the push fades to a third.", soft=(0.5, 10))
+    spread: float = param(0.35, 0, 1, "", "How fast it spreads.")
+    foam: float = param(1.0, 0, 4, "×", "Foam it makes.", soft=(0, 2))
+    cell_m: float = param(0.5, 0.1, 4, "m", "Size of its cells; it has 128 a side.", soft=(0.25, 2))
+
+
+class Quiet(Section):
+    """The quiet play area: where the layer `quiet` is painted, effects are held down (D39)."""
+
+    foam: float = param(0.8, 0, 1, "", "How much foam is held down there.")
+    flow: float = param(0.6, 0, 1, "", "How much the flow is held down there.")
+    force: float = param(0.6, 0, 1, "", "How much the pushed water is held down there.")
+    highlight: float = param(0.8, 0, 1, "", "How much the sun's highlight is held down there.")
+    centre: float = param(0.0, 0, 1, "", "The same by place on the screen: how strongly its middle is kept quiet.")
+    centre_size: float = param(0.33, 0.05, 1, "", "Share of the picture's sides that counts as its middle.")
+
+
+class Things(Section):
+    """Props that stand or float in the level, and the rings they draw on the water (D12, H19)."""
+
+    on: bool = param(True, doc="Draw them.")
+    drag: float = param(0.35, 0, 4, "1/s", "How fast a floating thing takes on the speed of the water.", soft=(0, 2))
+    ripples: float = param(1.0, 0, 4, "×", "How strong the rings round them are.", soft=(0, 2))
+    ripple_length_m: float = param(0.45, 0.05, 10, "m", "Length of those rings.", soft=(0.2, 2))
+    ripple_life_s: float = param(3.5, 0.2, 60, "s", "Time in which a ring fades to a third.", soft=(1, 10))
 
 
 class Light(Section):
@@ -185,6 +295,13 @@ class Settings(Section):
     sea: Sea = Sea()
     shore: Shore = Shore()
     water: Water = Water()
+    caustics: Caustics = Caustics()
+    flow: Flow = Flow()
+    foam: Foam = Foam()
+    glare: Glare = Glare()
+    force: Force = Force()
+    quiet: Quiet = Quiet()
+    things: Things = Things()
     light: Light = Light()
     fog: Fog = Fog()
     ground: Ground = Ground()

@@ -51,43 +51,19 @@ void main() {
 #include "lib/shadow.glsl"
 #include "lib/layer.glsl"
 #include "lib/sea_material.glsl"
-uniform sampler2D under_albedo, under_eye_depth;
+#include "lib/sea_find.glsl"
+#include "lib/sea_below.glsl"
 uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
 uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it sinks
 uniform float u_water_roughness, u_water_specular;
-uniform float u_swell_length_m, u_chop_length_m;
 uniform vec2 u_wave_slope;  // mean square slope of swell and chop
-const int REFINEMENTS = 3, STEPS = 12, HALVINGS = 10;
-const float MOST_REFINED_M = 1.5, NEAR_ENOUGH_M = 0.02;
-const float SEARCH_M = 120.0;  // up to here the drawn surface is the twin's within 3 cm
-const float GROUP_TILE = 14.0;  // side of the noise by which the swell comes in groups, in wavelengths
 const float FARTHEST_M = 4e6;  // where the plane ends for float32's sake
-uniform bool u_show_procedural_foam, u_show_painted_foam, u_show_refraction;
+uniform bool u_show_procedural_foam, u_show_painted_foam;
 #ifndef HORIZON
 in vec2 v_before;
 in vec3 v_relative;
 #endif
-
-// Colour and thickness of the land below, looked up where the wave bends the view; never from before the water.
-vec4 below(vec3 normal, float eye_depth, float away) {
-    ivec2 size = textureSize(under_albedo, 0), here = ivec2(gl_FragCoord.xy);
-    ivec2 bent = here;
-    if (u_show_refraction) {
-        float depth = texelFetch(under_eye_depth, here, 0).r - eye_depth;
-        vec2 shift = vec2(dot(normal.xy, normalize(u_ray_x.xy + 1e-6)), dot(normal.xy, normalize(u_ray_y.xy + 1e-6)));
-        shift *= 0.25 * clamp(depth, 0.0, 3.0) / (eye_depth * u_pixel_angle);
-        bent = clamp(here + ivec2(clamp(shift, -60.0, 60.0)), ivec2(0), size - 1);
-    }
-    float depth = texelFetch(under_eye_depth, bent, 0).r;
-    if (depth <= eye_depth) {
-        bent = here;
-        depth = texelFetch(under_eye_depth, here, 0).r;
-    }
-    vec3 albedo = texelFetch(under_albedo, bent, 0).rgb;
-    float thickness = depth > eye_depth ? (depth - eye_depth) * away / eye_depth : (depth > 0.0 ? 0.0 : 1e4);
-    return vec4(albedo * albedo, thickness);
-}
 
 // Beyond the level the shore map repeats its border: surf there would run on as a stripe to the horizon.
 void fade_surf(inout Sea sea) {
@@ -101,72 +77,6 @@ void fade_surf(inout Sea sea) {
     float open_sea = smoothstep(0.01 * u_apron.x, 0.12 * u_apron.x, length(outside));
     sea.deep = max(sea.deep, open_sea);
     sea.bed.depth.x = max(sea.bed.depth.x, u_apron.y * open_sea * open_sea);
-}
-
-// Seen from afar three fronts are a lattice; a real swell comes in groups, now from here and now from there. Uniform
-// noise times √3 has a mean square of 1: the slopes keep their energy.
-void group_swell(vec2 xy, float away, float pixel_m) {
-    float far = smoothstep(SEARCH_M, 4.0 * SEARCH_M, away);
-    if (far <= 0.0) return;
-    float tile = GROUP_TILE * u_swell_length_m;
-    vec3 here = vec3(noise_at(xy, tile, pixel_m).r, noise_at(turn(xy, 0.6, 0.8) + 0.31 * tile, tile, pixel_m).r,
-                     noise_at(turn(xy, -0.8, 0.6) + 0.67 * tile, tile, pixel_m).r);
-    swell_gain = mix(vec3(1.0), 1.732 * here, far);
-    swell_turn = far * here.yzx;
-}
-
-// The wave where the pixel's ray is `way` metres beyond `start`; returns how far the ray is above it.
-float above_wave(vec3 start, vec3 along, float way, inout vec2 before, out Sea sea) {
-    vec3 point = start + along * way;
-    sea = sea_surface(before);
-    vec2 off = point.xy + u_camera.xy - sea.position.xy;
-    before += off;
-    return point.z + u_camera.z - sea.position.z + dot(sea.normal.xy, off) / max(sea.normal.z, 0.1);
-}
-
-// Steep waves: look along the ray for where it goes under, then halve. False where it passes over the wave.
-bool search_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
-    vec3 start = relative, along = normalize(relative);
-    float low = -MOST_REFINED_M, high = MOST_REFINED_M;
-    vec2 at = before + along.xy * low, found = at;
-    float first = above_wave(start, along, low, at, sea);
-    bool crossed = false;
-    for (int i = 1; i <= STEPS + HALVINGS; ++i) {
-        bool searching = !crossed && i <= STEPS;
-        if (!crossed && !searching) break;
-        float way = searching ? MOST_REFINED_M * (2.0 * float(i) / float(STEPS) - 1.0) : 0.5 * (low + high);
-        at = searching ? at + along.xy * (2.0 * MOST_REFINED_M / float(STEPS)) : at;
-        bool over = above_wave(start, along, way, at, sea) * first > 0.0;
-        if (over) low = way;
-        else high = way;
-        crossed = crossed || !over;
-    }
-    float way = 0.5 * (low + high);
-    relative = start + along * way;
-    before = at;
-    return crossed && abs(above_wave(start, along, way, at, sea)) < NEAR_ENOUGH_M;
-}
-
-// The mesh is off the wave by its curvature between vertices: go along the pixel's ray to where it meets the plane that
-// touches the wave, take the wave there, again. Kept where the ray only grazes, or far off; discarded where it misses.
-void onto_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
-    vec3 start = relative, along = normalize(relative);
-    vec2 first = before;
-    for (int i = 0; i < REFINEMENTS; ++i) {
-        float grazing = dot(along, sea.normal);
-        float way = dot(sea.position - u_camera - relative, sea.normal) / (abs(grazing) > 0.02 ? grazing : 0.02);
-        vec3 there = relative + along * way;
-        if (length(there - start) > MOST_REFINED_M || abs(grazing) <= 0.02 || dot(there, u_forward) <= 0.0) break;
-        before += there.xy - (sea.position.xy - u_camera.xy);
-        relative = there;
-        if (abs(way) < 2e-3) return;
-        sea = sea_surface(before);
-    }
-    relative = start;
-    before = first;
-    vec2 at = first;
-    bool fine = abs(above_wave(start, along, 0.0, at, sea)) < NEAR_ENOUGH_M || length(start) > SEARCH_M;
-    if (!fine && !search_surface(relative, before, sea)) discard;
 }
 
 void main() {

@@ -93,37 +93,3 @@ float wave_shade(vec3 normal, float body) {
     float turned = (dot(normal, vec3(u_sun_direction.xy, max(u_sun_direction.z, 0.0))) + 0.35) / (max(u_sun_direction.z, 0.0) + 0.35);
     return mix(1.0, clamp(turned, 0.45, 1.5), body);
 }
-
-uniform bool u_show_caustics;
-
-// Bright lines that waves draw on the bed: edges of foam cells are the same curves as caustics. Mean 1.
-float caustics(vec2 xy, float depth, float pixel_m) {
-    float strength = smoothstep(0.05, 0.5, depth) * exp(-0.22 * depth) * u_sun_direction.z;
-    float lod = log2(max(pixel_m * FOAM_TEXELS / 5.2, 1e-4));
-    strength *= u_show_caustics ? 1.0 - smoothstep(1.5, 4.0, lod) : 0.0;
-    if (strength < 0.01) return 1.0;
-    lod = max(lod, 1.0) + 0.35 * depth;
-    vec2 a = textureLod(u_foam, xy / 5.2 + u_ripple_way[1].zz * vec2(0.6, 1.0), lod).rg;
-    vec2 b = textureLod(u_foam, xy / 6.1 - u_ripple_way[2].zz * vec2(1.0, -0.5) + 0.37, lod).rg;
-    float web = min(a.y, b.y);
-    return 1.0 + strength * (2.6 * web * web * web - 0.45);
-}
-
-// Light that comes back out of the water: from the bed and from the water itself. `sun` and `sky` are illuminance and
-// irradiance on the surface; the surface's own losses in and out are Mobley's (Light and Water, 1994, ch. 10).
-vec3 light_from_below(
-    vec3 bed_albedo, float still_depth, vec2 bed_xy, float depth, float cosine, vec3 sun, vec3 sky, float pixel_m
-) {
-    float sun_up = max(u_sun_direction.z, 0.0);
-    vec3 bed = bed_albedo * caustics(bed_xy, depth, pixel_m);
-    vec3 albedo = water_albedo(bed, depth, cosine, max(sun_up, 0.25));
-    // the sand of the swash is dark already: it is wet (lib/ground.glsl)
-    vec3 out_of_water = mix(vec3(1.0), 0.54 / (1.0 - 0.48 * albedo), smoothstep(0.05, 0.5, still_depth));
-    return albedo * out_of_water * (sun * sun_up * (1.0 - water_fresnel(sun_up, 0.0)) + 0.93 * sky) / 3.14159265;
-}
-
-// Air beaten into the water round foam makes it pale and greenish.
-vec3 bubbles(vec3 light, Foam foam, vec3 sun, vec3 sky) {
-    vec3 plume = vec3(0.20, 0.29, 0.29) * (sun * max(u_sun_direction.z, 0.0) + sky) / 3.14159265;
-    return mix(light, plume, 0.5 * foam.bubbles);
-}
