@@ -103,9 +103,7 @@ class Prop(Placed):
     roll_deg: float = param(0.0, -180, 180, "°", "Heeled to the right.")
     scale: float = param(1.0, 0.001, 1000, "×", "Size.", soft=(0.1, 10))
     floats: bool = param(False, doc="It floats on the waves.")
-    density: float = param(
-        0.45, 0.02, 1.5, "", "Its weight against that of the water its hull box holds.", soft=(0.1, 1)
-    )
+    density: float = param(0.45, 0.02, 1.5, "", "Weight against that of the water its hull box holds.", soft=(0.1, 1))
     drifts: bool = param(False, doc="The current takes it along; else it stays at its mooring.")
     ripples: bool = param(True, doc="It draws rings on the water.")
 

@@ -113,9 +113,7 @@ class Water(Section):
     table: str = param("", doc="Name of the water table in use; empty: what this section says.")
     bend: float = param(1.0, 0, 4, "×", "How far waves bend what is seen through them.", soft=(0, 2))
     blur: float = param(1.0, 0, 4, "×", "How blurred what lies deep is seen.", soft=(0, 2))
-    blur_distance_m: float = param(
-        9.0, 0.1, 200, "m", "Way through the water at which it is fully blurred.", soft=(1, 40)
-    )
+    blur_distance_m: float = param(9.0, 0.1, 200, "m", "Way through water that blurs fully.", soft=(1, 40))
     dispersion: float = param(0.0, 0, 1, "", "How differently red, green and blue are bent.", soft=(0, 0.3))
     reflections: float = param(1.0, 0, 1, "", "How clearly the coast is mirrored.")
 
@@ -137,9 +135,7 @@ class Flow(Section):
     shore_mps: float = param(0.25, 0, 5, "m/s", "Current towards the shore, where nothing else is said.", soft=(0, 1))
     points: float = param(1.0, 0, 4, "×", "Strength of flow points.", soft=(0, 2))
     painted: float = param(1.0, 0, 4, "×", "Strength of the painted current.", soft=(0, 2))
-    interval_s: float = param(
-        5.0, 0.3, 60, "s", "Time after which a moving texture starts again, unseen.", soft=(1, 10)
-    )
+    interval_s: float = param(5.0, 0.3, 60, "s", "Time after which moving foam starts again, unseen.", soft=(1, 10))
     noise: float = param(0.7, 0, 2, "", "How differently in time places start again, in cycles.", soft=(0, 1))
     noise_m: float = param(14.0, 1, 500, "m", "Size of that difference.", soft=(5, 40))
 
