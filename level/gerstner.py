@@ -11,11 +11,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from .dual import Dual
+from .noise import value_noise
 from .settings import Sea
 
 GRAVITY = 9.81
 SHARES = {3: (0.5, 0.28, 0.22), 5: (0.26, 0.22, 0.2, 0.17, 0.15)}  # of the group's amplitude, the first front leads
 AXIS_CLEARANCE_DEG = 6.0
+# H07: one broad noise moves the crests; by front differently far and to either side, or rows would stay rows
+PHASE_GAIN = {5: (1.0, -0.7, 0.85, -1.0, 0.6), 3: (1.0, -0.85, 0.7)}
+PHASE_SHIFT = (23, 5)  # where on the level's lattice that noise begins
 
 
 @dataclass(frozen=True)
@@ -79,17 +83,26 @@ class Deformed:
     z: Dual
 
 
-def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual) -> Deformed:
-    """Add one group to a point; gradients go through the chain rule (H29)."""
+def phase_noise(sea: Sea, values: np.ndarray, x: np.ndarray, y: np.ndarray) -> Dual:
+    """How far crests are moved at undeformed points, in wavelengths, with its gradient (H07).
+
+    It moves the phase, not the height: a train keeps its energy, its rows lose their straight lines.
+    """
+    return (value_noise(values, x, y, sea.phase_noise_m, PHASE_SHIFT) - 0.5) * sea.phase_noise
+
+
+def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noise: Dual) -> Deformed:
+    """Add one group to a point; gradients go through the chain rule (H29); `noise` is `phase_noise` there."""
     dx, dy, dz = Dual(0.0), Dual(0.0), Dual(0.0)
+    gains = PHASE_GAIN[len(fronts.length_m)]
     for i in range(len(fronts.length_m)):
         east, north, k = fronts.east[i], fronts.north[i], 2 * np.pi / fronts.length_m[i]
         cycles = (east * point.x.v + north * point.y.v) / fronts.length_m[i]
-        cycles = cycles - np.mod(fronts.omega[i] * t / (2 * np.pi), 1.0)
+        cycles = cycles - np.mod(fronts.omega[i] * t / (2 * np.pi), 1.0) + gains[i] * noise.v
         theta = 2 * np.pi * (cycles - np.floor(cycles))
         sin, cos = np.sin(theta), np.cos(theta)
-        slope_x = k * (east * point.x.dx + north * point.y.dx)
-        slope_y = k * (east * point.x.dy + north * point.y.dy)
+        slope_x = k * (east * point.x.dx + north * point.y.dx) + 2 * np.pi * gains[i] * noise.dx
+        slope_y = k * (east * point.x.dy + north * point.y.dy) + 2 * np.pi * gains[i] * noise.dy
         lateral = Dual(
             fronts.lateral_m[i] * cos, -fronts.lateral_m[i] * sin * slope_x, -fronts.lateral_m[i] * sin * slope_y
         )

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .dual import Dual, step
-from .gerstner import Deformed, Fronts, deform, groups
+from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, groups, phase_noise
 from .level import Level
 from .noise import lattice
 from .shore import ShoreMap, shore_map
@@ -43,9 +43,10 @@ def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
 
 def _offshore(level: Level, shore: ShoreMap, fronts: list[Fronts], t: float, x, y) -> tuple[Deformed, Dual]:
     weight = _weight(level, shore.at(x, y))
+    noise = phase_noise(level.settings.sea, lattice(level.settings.level.seed), x, y)
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
     for group in fronts:
-        point = deform(point, group, t, weight)
+        point = deform(point, group, t, weight, noise)
     return point, weight
 
 
@@ -108,6 +109,12 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
     return {
         "u_front_way": np.array(way, np.float32),
         "u_front_size": np.array(size, np.float32),
+        "u_front_turn": np.array(
+            [gain for fronts in groups(sea, settings.level.seed) for gain in PHASE_GAIN[len(fronts.length_m)]],
+            np.float32,
+        )
+        * sea.phase_noise,
+        "u_phase_noise_m": sea.phase_noise_m,
         **clock_uniforms(shore, t),
         **{f"u_shore_{name}": float(getattr(shore, name)) for name in names},
         "u_shore_variety": shore.variety,

@@ -130,6 +130,8 @@ VIEWS: dict[str, View] = {
              "vec3(on_land * shore_wet(position.xy, position.z - u_still_m, 0.02).film)", ids="L06"),
         View("lace", "Lace", "Foam that the sheet left on the sand.", "vec3(on_land * s.foam)",
              "grey", 0, 0.5, ids="L06"),
+        View("phase_noise", "Phase noise", "How far crests of the open sea are moved along their way: red later.",
+             "vec3(on_sea * u_front_turn[0] * phase_noise(s.before).x)", "signed", -0.2, 0.2, ids="H07"),
         View("glint", "Glint", "The sun in the water's mirror, without haze.",
              "on_sea * sun_glint(s, ray * s.eye_depth)", "light", ids="L07"),
         View("crest_light", "Crest light", "The sun that comes through the crests of waves, as a share of it.",

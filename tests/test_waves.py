@@ -310,3 +310,54 @@ def feedback(ctx, level, t, at):
     for thing in (array, target, out, points, bed, variety, program):
         thing.release()
     return result
+
+
+def crest_speed(level, front: int) -> tuple[float, float]:
+    """Metres a second that the crests of one front go, by the turn of its phase over a long line; and by dispersion."""
+    fronts = groups(level.settings.sea, level.settings.level.seed)[1]
+    along = np.linspace(0, 150, 3001)
+    x, y = 5 + along * fronts.east[front], 5 + along * fronts.north[front]
+    k = 2 * np.pi / fronts.length_m[front]
+    step_s = 0.1
+
+    def phase(t):
+        # what the height has of this front along its own way
+        height = surface_at(level, t, x, y).height_m
+        return np.angle(np.sum(height * np.hanning(len(along)) * np.exp(-1j * k * along)))
+
+    turned = -(phase(step_s) - phase(0.0) + np.pi) % (2 * np.pi) - np.pi
+    return abs(turned) / step_s / k, float(np.sqrt(9.81 / k))
+
+
+@pytest.mark.parametrize("noise", [0.0, 0.25])
+@pytest.mark.parametrize("front", range(3))
+def test_crests_go_as_fast_as_linear_dispersion_says(front, noise):
+    """H05, H07: each front within 1 %, with the phase noise too: it stands still."""
+    level = deep_level(swell_length_m=12.0, swell_m=0.3, chop_m=0.0, swell_steepness=0.0, phase_noise=noise)
+    measured, expected = crest_speed(level, front)
+    assert measured == pytest.approx(expected, rel=0.01)
+
+
+def test_phase_noise_moves_crests_and_keeps_their_height():
+    """H07: phase, not amplitude: single fronts keep their range, the rows their place no longer."""
+    x, y = np.meshgrid(np.linspace(5, 155, 120), np.linspace(5, 250, 200))
+    heights = {}
+    for noise in (0.0, 0.6):
+        level = deep_level(chop_m=0.0, swell_steepness=0.0, phase_noise=noise, phase_noise_m=60.0)
+        heights[noise] = surface_at(level, 3.0, x, y).height_m
+    plain, moved = heights.values()
+    assert moved.std() == pytest.approx(plain.std(), rel=0.1)
+    assert np.abs(moved).max() <= 0.45 + 1e-6
+    assert np.corrcoef(plain.ravel(), moved.ravel())[0, 1] < 0.9
+
+
+def test_a_sea_without_waves_stands_still():
+    """No swell, no chop, no shore waves: nothing depends on time."""
+    level = make_beach(rows=257, slope=0.05)
+    for path, value in (("sea.on", False), ("shore.on", False)):
+        level.set(path, value)
+    x, y = np.meshgrid(np.linspace(5, 155, 40), np.linspace(5, 250, 60))
+    first, later = (surface_at(level, t, x, y) for t in (0.0, 123.4))
+    assert np.array_equal(first.height_m, later.height_m)
+    assert np.array_equal(first.normal, later.normal)
+    assert np.array_equal(first.x, later.x)

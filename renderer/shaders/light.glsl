@@ -10,6 +10,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/sky.glsl"
 #include "lib/lobes.glsl"
 #include "lib/brdf.glsl"
+#include "lib/glare.glsl"
 #include "lib/shadow.glsl"
 #include "lib/land_light.glsl"
 out vec4 out_radiance;
@@ -36,7 +37,7 @@ void main() {
     if (s.material == SEA) mirror = water_mirror(s.normal, to_eye, s.roughness);
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
     vec3 light = s.material == SEA
-        ? brdf_sun_water(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun
+        ? sun_on_water(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun
         : brdf_sun(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
     // what hides the sky is itself lit land or water, and gives part of its light back
     vec3 up = sky_irradiance(vec3(0.0, 0.0, 1.0)) + sun_radiance() * max(u_sun_direction.z, 0.0);

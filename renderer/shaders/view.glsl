@@ -11,7 +11,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/height.glsl"
 #include "lib/shadow.glsl"
 #include "lib/wet.glsl"
-#include "lib/brdf.glsl"
+#include "lib/glare.glsl"
 #include "lib/sea_material.glsl"
 uniform sampler2D hdr, under_albedo, under_eye_depth;
 #ifdef LAYER
@@ -35,7 +35,7 @@ vec3 material_colour(int material) {
 // The sun's mirror light as light.glsl adds it.
 vec3 sun_glint(Surface s, vec3 relative) {
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
-    return brdf_sun_water(vec3(0.0), s.normal, -normalize(relative), u_sun_direction, s.roughness, vec3(s.specular)) * sun;
+    return sun_highlight(s.normal, -normalize(relative), u_sun_direction, s.roughness, vec3(s.specular)) * sun;
 }
 
 vec3 crest_light(Sea sea, Surface s, vec3 relative) {
