@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Literal, Self, Union
 
-from pydantic import Field, TypeAdapter
+from pydantic import Field, TypeAdapter, field_validator
 
 from .params import Section, param
 
@@ -77,6 +78,16 @@ class WaterTable(Placed):
         description="Metres of water, what is left of red, green, blue, and light it adds of each as an albedo.",
     )
 
+    @field_validator("stops")
+    @classmethod
+    def _in_order(cls, stops):
+        """Sorted by metres; a stop outside its range is refused."""
+        if len(stops) < 2:
+            raise ValueError("a water table needs two stops or more")
+        if not all(0 <= stop[0] <= 1000 and all(0 <= v <= 1 for v in stop[1:]) for stop in stops):
+            raise ValueError("a stop is metres from 0 to 1000 and six numbers from 0 to 1")
+        return tuple(sorted(stops))
+
 
 class PointLight(Placed):
     """A lamp: inverse square up to a radius (D01). It may go round in a circle with the clock."""
@@ -90,6 +101,11 @@ class PointLight(Placed):
     radius_m: float = param(25.0, 0.5, 500, "m", "Where its light ends.", soft=(2, 100))
     orbit_m: float = param(0.0, 0, 500, "m", "Radius of the circle it goes round its place.", soft=(0, 20))
     period_s: float = param(8.0, 0.5, 1000, "s", "Time of one turn.", soft=(2, 60))
+
+    def place(self, t: float) -> tuple[float, float, float]:
+        """Where it is at time t, world metres."""
+        turn = 2 * math.pi * ((t / self.period_s) % 1.0)
+        return self.x + self.orbit_m * math.sin(turn), self.y + self.orbit_m * math.cos(turn), self.z
 
 
 class Prop(Placed):

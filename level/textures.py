@@ -12,6 +12,7 @@ import numpy as np
 from .tiling import smooth
 
 SIZE = 512
+CAUSTICS_MEAN = 48  # of 255: lines are up to five times as bright as the mean
 
 
 def spectral_noise(size: int, seed: int, falloff: float, low: float = 1.0, high: float | None = None) -> np.ndarray:
@@ -124,3 +125,38 @@ def ripple_texture(size: int = 256, seed: int = 7, spread: float = 2.0) -> np.nd
     scale = 1 / np.sqrt((east**2 + north**2).mean())
     east, north, height = east * scale, north * scale, height * scale
     return np.stack([east, north, east**2 + north**2, height], -1).astype(np.float32)
+
+
+@lru_cache(maxsize=4)
+def caustics_texture(size: int = 512, seed: int = 7, ways: int = 6) -> np.ndarray:
+    """uint8 `(size, size, 1)` light on a bed under small waves, mean 1 at CAUSTICS_MEAN / 255 (D08, H13).
+
+    Rays straight down, bent by the slopes of a tiling sea and counted where they land: lines are where it folds.
+    """
+    height = spectral_noise(size * 2, seed + 40, 3.0, 3, 22)
+    slopes = [(np.roll(height, -1, axis) - np.roll(height, 1, axis)) * 0.5 * size * 2 for axis in (1, 0)]
+    steep = np.sqrt(np.mean(slopes[0] ** 2 + slopes[1] ** 2))
+    y, x = np.mgrid[0 : size * 2, 0 : size * 2] / (size * 2)
+    light = np.zeros((size, size))
+    for shift in np.arange(ways) / ways:
+        # from a focus just under the surface to one far below: the sun is wide and the sea has many lengths of wave
+        reach = 0.030 * (0.75 + 0.5 * shift) / steep
+        col, row = ((v - reach * s) % 1.0 * size for v, s in ((x, slopes[0]), (y, slopes[1])))
+        light += _splat(col, row, size)
+    gain = mean = CAUSTICS_MEAN / 255
+    light /= light.mean()
+    for _ in range(8):  # what the brightest lose the others get
+        gain *= mean / np.minimum(light * gain, 1.0).mean()
+    return to_bytes(light * gain)
+
+
+def _splat(col: np.ndarray, row: np.ndarray, size: int) -> np.ndarray:
+    """How many points fall on each texel of a tile, shared between the four nearest, `(size, size)`."""
+    c, r = np.floor(col).astype(int), np.floor(row).astype(int)
+    fc, fr = col - c, row - r
+    total = np.zeros(size * size)
+    for dr, dc in ((0, 0), (0, 1), (1, 0), (1, 1)):
+        weight = np.where(dr, fr, 1 - fr) * np.where(dc, fc, 1 - fc)
+        index = (r + dr) % size * size + (c + dc) % size
+        total += np.bincount(index.ravel(), weight.ravel(), size * size)
+    return total.reshape(size, size)

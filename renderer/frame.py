@@ -53,6 +53,7 @@ PASSES: tuple[Pass, ...] = (
     Pass("lookdev", ("lookdev.glsl",), (), GBUFFER, "In its view: balls and a card.", "L08"),
     Pass("light", ("light.glsl",), (*GBUFFER, "u_shadow", "u_prop_shadow", "u_lobes"), ("hdr",),
          "Lights all of it, once.", "D01"),
+    Pass("lamps", ("lamps.glsl",), GBUFFER, ("hdr",), "Point lights, land and sea alike.", "D01"),
     Pass("sky", ("sky.glsl",), ("g_eye_depth",), ("hdr",), "Sky where nothing was drawn."),
     Pass("fog", ("fog.glsl",), ("hdr", "g_eye_depth", "u_aerial"), ("picture",), "Air, haze.", "L02 D38"),
     Pass("view", ("view.glsl",), (*GBUFFER, "hdr"), ("picture",), "Instead of it: a buffer or a mask.", "T11"),
@@ -174,6 +175,7 @@ class Renderer:
         shown = copy.copy(level)  # shares arrays and caches, has settings of its own
         shown.settings = view.changed(show.settings(level.settings))
         self.uploader.sync(level)
+        self.uploader.table(shown)
         self.generated.update(row)
         self.sky.update(shown)
         drawn = tuple(max(round(side * scale), 1) for side in size)

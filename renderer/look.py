@@ -15,7 +15,7 @@ from .sky_light import sky_light
 
 DISPLAYS = ("agx", "aces", "neutral", "raw")
 GRAVITY = 9.81
-FOAM_PERIOD_S = 5.0
+FOAM_CYCLES = 100  # after so many the jumps of moving foam come again
 CAP_LIFE_S = 7.0
 STAR_LIGHT = 0.0015  # kcd/m² of the brightest stars, spread over 1.4 minutes of arc
 RIPPLE_SPREAD = np.array([0.7955, 0.2045])  # of the texture's slope variance: along its own way, across
@@ -108,13 +108,11 @@ def _ripples(settings: Settings, time_s: float) -> dict:
 
 
 def _foam(settings: Settings, time_s: float) -> dict:
-    water = settings.water
-    cycle = time_s / FOAM_PERIOD_S
-    first = cycle - math.floor(cycle)
-    second = (first + 0.5) % 1.0
-    weight = abs(2 * first - 1)  # the second counts fully when the first jumps back
-    phases = np.array([first - 0.5, second - 0.5, weight, FOAM_PERIOD_S], np.float32)
-    return {"u_foam_phase": phases, "u_foam_tile_m": water.foam_tile_m, "u_foam_amount": water.foam}
+    water, interval_s = settings.water, settings.flow.interval_s
+    cycles = time_s / interval_s
+    whole = math.floor(cycles)
+    phase = (cycles - whole, whole % FOAM_CYCLES, interval_s if settings.flow.on else 0.0)
+    return {"u_foam_cycle": phase, "u_foam_tile_m": water.foam_tile_m, "u_foam_amount": water.foam}
 
 
 def whitecap_share(wind_mps: float) -> float:

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..level import BadInput, Level
 from ..level.objects import Camera
+from ..level.water_table import check_table
 from .quality import tier
 from .show import Overlays, Show
 
@@ -16,6 +17,7 @@ _own: dict[str, object] = {}
 MOST_SIDE = 16384
 MOST_PIXELS = 40_000_000  # some 70 bytes each
 MOST_SAMPLES = 1024
+LINE = 2  # pixels between two pictures
 
 
 def own_context():
@@ -66,8 +68,23 @@ def render(
     if not 1 <= samples <= MOST_SAMPLES:
         raise BadInput(f"{samples} samples a pixel are outside 1 to {MOST_SAMPLES}")
     camera = level.camera(camera) if isinstance(camera, str) else camera
+    check_table(level)
     renderer = renderer or own_renderer()
     renderer.generated.settle(tier(quality))  # never a picture of coarse stand-ins
     scale = 1.0 if linear else None  # numbers are never made up by a filter
     renderer.draw(level, camera, size, time_s, view, show, quality, samples, overlays, scale)
     return renderer.read(linear)
+
+
+def compare(level: Level, other: Level, camera: Camera | str = "play", other_look: dict | None = None, **options):
+    """Left half of one picture beside the right half of another, a white line between (D42).
+
+    `other` may be the same level with other settings, `other_look` changes options of `render` for the right half.
+    """
+    left = render(level, camera, **options)
+    right = render(other, camera, **{**options, **(other_look or {})})
+    middle = left.shape[1] // 2
+    both = np.concatenate([left[:, :middle], right[:, middle:]], axis=1)
+    if both.dtype == np.uint8 and both.shape[1] > 2 * LINE:
+        both[:, middle - LINE // 2 : middle + LINE // 2] = 255
+    return both

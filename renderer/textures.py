@@ -28,6 +28,7 @@ DETAIL = ("u_ground_shape", "u_ground_colour", "u_foam")
 SHARED = {
     "noise": lambda size=made.SIZE: made.noise_texture(size),
     "foam": lambda size=made.SIZE: made.foam_texture(size),
+    "caustics": lambda size=512: made.caustics_texture(size),
     "ripple": lambda size=256: made.ripple_texture(size).astype(np.float16),
 }
 

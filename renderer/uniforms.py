@@ -13,6 +13,7 @@ import numpy as np
 from ..level import Level, Settings
 from ..level.params import describe, get
 from ..level.shore_field import shore_field
+from ..level.water_table import table_in_use
 from ..level.waves import wave_uniforms
 from .look import look_uniforms, wave_slopes
 from .quality import APRON_DEPTH_M, APRON_M
@@ -54,6 +55,7 @@ def frame_uniforms(frame) -> dict:
         "u_cell_m": level.grid.cell_m,
         "u_apron": (APRON_M, APRON_DEPTH_M),
         "u_still_m": level.sea_level_m,
+        "u_table_on": table_in_use(level) is not None,
         "u_wet_waves": WET_WAVES if frame.tier.sea_exact else 2,
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
         **_sea_shape(level.settings, frame.tier),

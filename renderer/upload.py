@@ -7,11 +7,13 @@ from collections import Counter
 import numpy as np
 
 from ..level import BadInput, Level, Rect
+from ..level.flow import current
 from ..level.layers import LAYERS
 from ..level.noise import lattice
 from ..level.shore import shore_map
 from ..level.shore_field import shore_field
 from ..level.walk import walkable
+from ..level.water_table import table_in_use, water_table
 from .bounds import HeightBounds
 
 
@@ -119,6 +121,25 @@ class Uploader:
         texture.filter = self.ctx.LINEAR, self.ctx.LINEAR
         self.seen["shore_field"] = field, field.revision
         return texture
+
+    def current(self, level: Level):
+        """The current, the quiet area and the way to the shore (flow.py), RGBA16F with a linear filter."""
+        made = current(level)
+        if self.seen.get("current") is not made:
+            self._whole("u_current", made.packed, "f2")
+            self.textures["u_current"].filter = self.ctx.LINEAR, self.ctx.LINEAR
+            self.seen["current"] = made
+        return self.textures["u_current"]
+
+    def table(self, level: Level):
+        """The water table in use (H15), or a texel that nothing reads."""
+        table = table_in_use(level)
+        if self.seen.get("table", False) != table:
+            rows = np.zeros((1, 1, 4), np.float32) if table is None else water_table(table)
+            self._whole("u_table", rows, "f4")
+            self.textures["u_table"].filter = self.ctx.LINEAR, self.ctx.LINEAR
+            self.seen["table"] = table
+        return self.textures["u_table"]
 
     def _whole(self, name: str, values: np.ndarray, dtype: str) -> None:
         self._part(name, values, Rect(0, 0, *values.shape[:2]), dtype)

@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from cyclopts import Parameter
 
 from ...level.errors import BadInput
+from ...level.params import replace
 from .common import LevelPath, assignment, finite, numbers, progress, put_notes, size, writable_parent
 
 SUFFIXES = (".png", ".jpg", ".exr")
@@ -28,6 +29,10 @@ def render(
     hide: Annotated[list[str] | None, Parameter(negative="", help="Show flags to switch off, by comma.")] = None,
     quality: Literal["low", "medium", "high"] = "medium",
     samples: Annotated[int, Parameter(help="Frames accumulated for each picture.")] = 1,
+    against: Annotated[
+        list[str] | None,
+        Parameter(name="--compare", negative="", help="Right half with NAME=VALUE, view:NAME or hide:FLAG."),
+    ] = None,
     frames: Annotated[int | None, Parameter(help="How many numbered pictures, NAME_0001.png and on.")] = None,
     fps: Annotated[float, Parameter(allow_leading_hyphen=True, help="Pictures a second of level time.")] = 30.0,
 ) -> int:
@@ -43,7 +48,8 @@ def render(
     writable_parent(output)
     found = _level(level, environment, assignments)
     options |= look(view, hide)
-    return _draw(found, _camera(found, camera), output, times, frames is not None, options)
+    other = compared(found, against, hide) if against else None
+    return _draw(found, _camera(found, camera), output, times, frames is not None, options, other)
 
 
 def _times(start: float, frames: int | None, fps: float) -> list[float]:
@@ -96,14 +102,33 @@ def look(view: str, hide: list[str] | None) -> dict:
     return {"show": Show.hide(",".join(hide or []))}
 
 
-def _draw(level, camera, output: Path, times: list[float], numbered: bool, options: dict) -> int:
+def compared(level, words: list[str], hide: list[str] | None) -> tuple:
+    """The other level and look of a split picture (D42): the same arrays, settings of its own."""
+    import copy
+
+    other, look_of = copy.copy(level), {}
+    for word in words:
+        kind, colon, name = word.partition(":")
+        if colon and kind == "view":
+            look_of |= {"view": name, **look(name, hide)}
+        elif colon and kind == "hide":
+            hide = [*(hide or []), name]
+            look_of |= look("final", hide)
+        else:
+            other.settings = replace(other.settings, *assignment(word))
+    return other, look_of
+
+
+def _draw(level, camera, output: Path, times, numbered: bool, options: dict, other: tuple | None = None) -> int:
     from ...io.images import write_image
-    from ...renderer import render as picture
+    from ...renderer.offscreen import compare
+    from ...renderer.offscreen import render as picture
 
     linear = output.suffix.lower() == ".exr"
     with progress("Drawing") as tell:
         for number, time_s in enumerate(times, 1):
-            pixels = picture(level, camera, time_s=time_s, linear=linear, **options)
+            moment = {"time_s": time_s, "linear": linear, **options}
+            pixels = compare(level, other[0], camera, other[1], **moment) if other else picture(level, camera, **moment)
             path = output if not numbered else output.with_name(f"{output.stem}_{number:04d}{output.suffix}")
             write_image(path, pixels)
             tell(number, len(times))

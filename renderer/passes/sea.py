@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ...level.flow import current
 from ...level.waves import largest_height_m
 from ..frame import Frame
 from ..mesh import Lod, View, mesh_uniforms, select
@@ -44,12 +45,20 @@ def water_shown(frame: Frame) -> bool:
     return frame.level.settings.water.on
 
 
+def bind_water(frame: Frame) -> None:
+    """What the sea's shaders read of painted layers and of the current."""
+    uploader = frame.renderer.uploader
+    frame.textures["u_layer_foam"] = uploader.layer(frame.level, "foam")
+    frame.textures["u_current"] = uploader.current(frame.level)
+    frame.uniforms["u_current_cell_m"] = current(frame.level).cell_m
+
+
 def draw(frame: Frame) -> None:
     if not water_shown(frame):
         return
     ctx = frame.renderer.ctx
     frame.targets.gbuffer.use()
-    frame.textures["u_layer_foam"] = frame.renderer.uploader.layer(frame.level, "foam")
+    bind_water(frame)
     lod, view, chunks = sea_chunks(frame)
     shader = frame.shader("sea.glsl", MESH="", **({} if frame.tier.sea_exact else {"COARSE": ""}))
     set_uniforms(shader.program, mesh_uniforms(lod, view))

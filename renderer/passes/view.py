@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from ..frame import Frame
 from ..uniforms import shore_field_uniforms
+from .sea import bind_water
 
 
 def draw(frame: Frame) -> None:
@@ -22,5 +23,6 @@ def draw(frame: Frame) -> None:
         defines["SHORE_FIELD"] = ""
         frame.textures["u_shore_field"] = uploader.shore_field(frame.level)
         frame.uniforms |= shore_field_uniforms(frame.level)
+    bind_water(frame)
     frame.targets.picture.use()
     frame.shader("view.glsl", **defines).fullscreen()

@@ -59,7 +59,7 @@ uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it si
 uniform float u_water_roughness, u_water_specular;
 uniform vec2 u_wave_slope;  // mean square slope of swell and chop
 const float FARTHEST_M = 4e6;  // where the plane ends for float32's sake
-uniform bool u_show_procedural_foam, u_show_painted_foam;
+uniform bool u_show_procedural_foam, u_show_painted_foam, u_foam_roughness;
 #ifndef HORIZON
 in vec2 v_before;
 in vec3 v_relative;
@@ -121,12 +121,9 @@ void main() {
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
-    float paint = 0.0;
-    if (u_show_painted_foam) {
-        vec2 painted = layer_at(u_layer_foam, before, u_cell_m).rg;
-        paint = saturate(max(painted.x, painted.y));
-    }
-    Foam foam = sea_foam(sea, before, column, sharp.x, paint, u_show_procedural_foam, pixel_m);
+    vec2 painted = u_show_painted_foam ? layer_at(u_layer_foam, before, u_cell_m).rg : vec2(0.0);
+    vec4 current = current_at(before);
+    Foam foam = sea_foam(sea, before, column, sharp.x, painted, current, u_show_procedural_foam, pixel_m);
 
     vec4 land = below(normal, eye_depth, away);
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
@@ -140,13 +137,13 @@ void main() {
     float face = wave_face(sea, normal, body);
     depth += 1.3 * face;
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
-    from_below *= wave_shade(normal, body);
+    from_below *= wave_shade(normal, body) * foam_shade(before, sea.bed.depth.x, painted, current, pixel_m);
     from_below = bubbles(from_below, foam, sun, sky);
     // foam lets some of what comes through the crest on
     vec3 crest = water_crest_light(max(sea.height01 * sharp.x, body), normal, to_eye, u_sun_direction) * sun;
     from_below = from_below * (1.0 - foam.cover) + crest * (1.0 - 0.55 * foam.cover);
     from_below *= 1.0 - water_fresnel(cosine, roughness) * (1.0 - foam.cover);
-    roughness = mix(roughness, FOAM_ROUGHNESS, foam.cover);
+    if (u_foam_roughness) roughness = mix(roughness, FOAM_ROUGHNESS, foam.cover);  // D09
     write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness,
                           u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
 }

@@ -13,7 +13,10 @@ void main() { fullscreen_triangle(); }
 #include "lib/wet.glsl"
 #include "lib/glare.glsl"
 #include "lib/sea_material.glsl"
-uniform sampler2D hdr, under_albedo, under_eye_depth;
+#include "lib/layer.glsl"
+#include "lib/sea_below.glsl"
+uniform sampler2D u_layer_foam;
+uniform sampler2D hdr;
 #ifdef LAYER
 uniform sampler2D u_layer;
 uniform float u_layer_cell_m;

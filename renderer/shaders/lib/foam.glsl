@@ -7,7 +7,8 @@ uniform float u_foam_tile_m;
 uniform float u_foam_amount;
 uniform float u_whitecaps;       // share of the open sea that is white in this wind
 uniform vec4 u_cap_place, u_cap_age;  // of two generations: offset in tiles each; age −½ … ½ each, share of the caps each
-uniform vec4 u_foam_phase;       // two phases half a cycle apart (−½ … ½), weight of the second, seconds a cycle
+uniform vec3 u_foam_cycle;       // part of a cycle of moving foam, number of whole ones, seconds a cycle; 0 s: it stands
+uniform float u_flow_noise, u_flow_noise_m;
 
 const float FOAM_TEXELS = 512.0;
 
@@ -20,16 +21,36 @@ float foam_cover(vec4 fields, float amount, float lod) {
     return mix(cover, amount, smoothstep(3.0, 6.5, lod)) * smoothstep(0.0, 0.10, amount);
 }
 
+const float STILL_MPS = 1e-3;  // slower water stands still, and so does what lies on it
+// a copy that starts again starts elsewhere, never the same way twice in a row, or the eye finds the rhythm
+const vec2 JUMP = vec2(0.24, 0.2083333), OTHER = vec2(0.37, 0.61);
+
+// Foam moved by the flow in two copies half a cycle apart (D05; Vlachos, SIGGRAPH 2010): where each is read, in tiles, and
+// the weight of the second, which is whole when the first starts again. Places start at different times.
+void foam_places(vec2 xy, vec2 flow, out vec2 first, out vec2 second, out float weight) {
+    first = xy / u_foam_tile_m;
+    second = first + OTHER;
+    weight = 0.0;
+    if (u_foam_cycle.z <= 0.0 || dot(flow, flow) < STILL_MPS * STILL_MPS) return;
+    float early = textureLod(u_noise, xy / (8.0 * u_flow_noise_m), 3.0).g * u_flow_noise;
+    float a = u_foam_cycle.x + early, b = a + 0.5;
+    vec2 number = floor(vec2(a, b)) + u_foam_cycle.y;
+    vec2 way = flow * (u_foam_cycle.z / u_foam_tile_m);
+    first += JUMP * number.x - way * (fract(a) - 0.5);
+    second += JUMP.yx * number.y - way * (fract(b) - 0.5);
+    weight = abs(2.0 * fract(a) - 1.0);
+}
+
 // Fields at a place and, in `lee`, how much thicker the foam is a little way towards the light: its own shading.
 vec4 foam_fields(vec2 xy, vec2 flow, vec2 to_light, float lod, out float lee) {
-    float tile = u_foam_tile_m;
-    float second = u_foam_phase.z;
-    vec2 way = flow * u_foam_phase.w;
-    vec4 a = textureLod(u_foam, (xy - way * u_foam_phase.x) / tile, lod);
-    vec2 lit_side = to_light * (0.004 * tile * exp2(0.7 * lod));
-    vec4 ahead = textureLod(u_foam, (xy - way * u_foam_phase.x + lit_side) / tile, lod);
+    float tile = u_foam_tile_m, second;
+    vec2 at, other;
+    foam_places(xy, flow, at, other, second);
+    vec4 a = textureLod(u_foam, at, lod);
+    vec2 lit_side = to_light * (0.004 * exp2(0.7 * lod));
+    vec4 ahead = textureLod(u_foam, at + lit_side, lod);
     lee = dot(ahead.rgb - a.rgb, vec3(0.25, 0.35, 0.4)) * (1.0 - second);
-    vec4 b = textureLod(u_foam, (xy - way * u_foam_phase.y) / tile + vec2(0.37, 0.61), lod);
+    vec4 b = second > 0.0 ? textureLod(u_foam, other, lod) : a;
     // rafts three tiles wide, still, break the repetition and give the foam a shape from afar
     vec4 raft = textureLod(u_foam, turn(xy, 0.53, 0.848) / (tile * 3.3), max(lod - 1.7, 0.0)) - 0.5;
     // keep the contrast that averaging patterns would lose

@@ -5,6 +5,7 @@
 
 uniform sampler2D under_albedo, under_eye_depth;
 uniform bool u_show_refraction;
+uniform float u_water_bend;
 
 // Colour and thickness of the land below, looked up where the wave bends the view; never from before the water.
 vec4 below(vec3 normal, float eye_depth, float away) {
@@ -13,7 +14,7 @@ vec4 below(vec3 normal, float eye_depth, float away) {
     if (u_show_refraction) {
         float depth = texelFetch(under_eye_depth, here, 0).r - eye_depth;
         vec2 shift = vec2(dot(normal.xy, normalize(u_ray_x.xy + 1e-6)), dot(normal.xy, normalize(u_ray_y.xy + 1e-6)));
-        shift *= 0.25 * clamp(depth, 0.0, 3.0) / (eye_depth * u_pixel_angle);
+        shift *= 0.25 * u_water_bend * clamp(depth, 0.0, 3.0) / (eye_depth * u_pixel_angle);
         bent = clamp(here + ivec2(clamp(shift, -60.0, 60.0)), ivec2(0), size - 1);
     }
     float depth = texelFetch(under_eye_depth, bent, 0).r;
@@ -26,19 +27,24 @@ vec4 below(vec3 normal, float eye_depth, float away) {
     return vec4(albedo * albedo, thickness);
 }
 
-uniform bool u_show_caustics;
+uniform sampler2D u_caustics;
+uniform bool u_caustics_on;
+uniform float u_caustics_strength, u_caustics_tile_m, u_caustics_bend, u_caustics_depth_m;
+const float CAUSTICS_TEXELS = 512.0, CAUSTICS_MEAN = 48.0 / 255.0;
 
-// Bright lines that waves draw on the bed: edges of foam cells are the same curves as caustics. Mean 1.
+// Bright lines that waves draw on the bed: one still image, bent by a broad panning normal map (D08, H13). Mean 1. Deeper
+// down they blur, and light has come from everywhere.
 float caustics(vec2 xy, float depth, float pixel_m) {
-    float strength = smoothstep(0.05, 0.5, depth) * exp(-0.22 * depth) * u_sun_direction.z;
-    float lod = log2(max(pixel_m * FOAM_TEXELS / 5.2, 1e-4));
-    strength *= u_show_caustics ? 1.0 - smoothstep(1.5, 4.0, lod) : 0.0;
+    float strength = smoothstep(0.03, 0.4, depth) * exp(-depth / u_caustics_depth_m) * u_sun_direction.z;
+    float lod = log2(max(pixel_m * CAUSTICS_TEXELS / u_caustics_tile_m, 1e-4));
+    strength *= u_caustics_on ? u_caustics_strength * (1.0 - smoothstep(3.0, 6.0, lod)) : 0.0;
     if (strength < 0.01) return 1.0;
-    lod = max(lod, 1.0) + 0.35 * depth;
-    vec2 a = textureLod(u_foam, xy / 5.2 + u_ripple_way[1].zz * vec2(0.6, 1.0), lod).rg;
-    vec2 b = textureLod(u_foam, xy / 6.1 - u_ripple_way[2].zz * vec2(1.0, -0.5) + 0.37, lod).rg;
-    float web = min(a.y, b.y);
-    return 1.0 + strength * (2.6 * web * web * web - 0.45);
+    vec2 at = xy / u_caustics_tile_m;
+    vec2 one = textureLod(u_ripple, 0.31 * at + u_ripple_way[1].zz * vec2(0.6, 1.0), 2.0).xy;
+    vec2 two = textureLod(u_ripple, 0.23 * at.yx - u_ripple_way[2].zz * vec2(1.0, -0.5) + 0.37, 2.0).yx;
+    at += 0.055 * u_caustics_bend * (one - two);
+    float light = textureLod(u_caustics, at, max(lod, 0.0) + 0.5 * depth).r / CAUSTICS_MEAN;
+    return max(1.0 + strength * (light - 1.0), 0.0);
 }
 
 // Light that comes back out of the water: from the bed and from the water itself. `sun` and `sky` are illuminance and

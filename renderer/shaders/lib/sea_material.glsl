@@ -4,6 +4,7 @@
 #include "lib/water.glsl"
 #include "lib/foam.glsl"
 #include "lib/swash.glsl"
+#include "lib/current.glsl"
 
 const float BREAKS_S = 0.45, BROKEN_S = 0.85;  // share of the shore range over which fronts turn into foam
 
@@ -18,7 +19,7 @@ vec2 surface_flow(Sea sea) {
     vec2 uphill = -sea.bed.smoothed.yz;
     float steep = length(uphill);
     if (steep < 1e-4) return vec2(0.0);
-    float broken = smoothstep(BREAKS_S, BROKEN_S, sea.shore.s);
+    float broken = smoothstep(BREAKS_S, BROKEN_S, sea.shore.s) * u_shore_on;
     return uphill / steep * (broken * mix(-0.25, 0.9, clamp(sea.shore.line + sea.shore.fall, 0.0, 1.0)));
 }
 
@@ -31,13 +32,38 @@ float crest_foam(ShoreMasks m, float to_m, float down_m, float broken, float tea
     return over * behind * smoothstep(0.05, 0.4, broken) * smoothstep(0.02, 0.3, max(m.fall, m.line));
 }
 
-// What the waves leave: crest line, torn back, lace on the sheet, its rim on the sand; `paint` is the painted layer.
-Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool waves, float pixel_m) {
+uniform float u_foam_shore, u_foam_shore_near_m, u_foam_shore_far_m;
+uniform float u_foam_height, u_foam_height_low, u_foam_height_high;
+uniform float u_foam_transient, u_foam_constant, u_foam_shadow, u_foam_shadow_limit_m;
+uniform float u_quiet_foam;
+
+// Constant foam by the distance to the shore (H18), torn into patches: a ring round the coast would be drawn by a ruler.
+float foam_of_shore(float distance_m, float torn) {
+    float near = 1.0 - smoothstep(u_foam_shore_near_m, max(u_foam_shore_far_m, u_foam_shore_near_m + 0.1), distance_m);
+    return u_foam_shore * near * near * torn * step(0.0, distance_m);
+}
+
+// Foam on high water (H18): height against the largest possible sum.
+float foam_of_height(float height01) {
+    return u_foam_height * smoothstep(u_foam_height_low, max(u_foam_height_high, u_foam_height_low + 1e-3), height01);
+}
+
+// Painted foam (D07): the broad layer comes with the backs and falling crests of the waves, the other is always there.
+vec2 foam_painted(vec2 painted, ShoreMasks m) {
+    return saturate(vec3(painted.x * u_foam_transient * (m.back + m.line + m.fall), painted.y * u_foam_constant, 0.0)).xy;
+}
+
+// What the waves leave: crest line, torn back, lace on the sheet, its rim on the sand; `painted` is the foam layer.
+Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec4 current, bool waves, float pixel_m) {
+    vec2 layers = foam_painted(painted, sea.shore);
+    float paint = max(layers.x, layers.y);
     ShoreMasks m = sea.shore;
     float shore = sea.bed.sea.x * u_shore_on;
     float veil, offshore = whitecaps(before, sea.height01 * sharp, pixel_m, veil) * sea.deep;
     veil *= waves ? sea.deep : 0.0;
-    if (shore * m.s < 0.2 && offshore + paint < 0.004) return Foam(veil, 0.0, 0.0, 0.5, 0.5);
+    float still = waves ? foam_of_height(sea.height01 * sharp) * sharp : 0.0;
+    bool far_out = shore * m.s < 0.2 && current.a > u_foam_shore_far_m;
+    if (far_out && offshore + paint + still < 0.004) return Foam(veil, 0.0, 0.0, 0.5, 0.5);
     float near;
     float patches = foam_patches(before, pixel_m, near);
     float torn = smoothstep(0.30, 0.70, patches);
@@ -62,12 +88,29 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, float paint, bool
     // what it carries up is left on the sand where it turns (lib/wet.glsl)
     rim *= mix(0.38 + 0.55 * near, 0.25 * near, smoothstep(0.05, 0.4, drained)) * (1.0 - smoothstep(0.2, 0.6, steep));
     crest *= mix(0.97, 0.80, smoothstep(0.95, 1.02, m.s));
+    float constant = foam_of_shore(current.a, torn) * sea.bed.sea.x;
     float clean = (1.0 - crest) * (1.0 - wake) * (1.0 - lace) * (1.0 - rim) * (1.0 - offshore);
+    clean *= (1.0 - constant) * (1.0 - still * (0.35 + 0.65 * torn));
     clean = waves ? clean : 1.0;
     float amount = 1.0 - (1.0 - saturate((1.0 - clean) * u_foam_amount)) * (1.0 - paint * (0.34 + 0.26 * back));
-    Foam foam = foam_at(before, amount, max(crest, rim), rim, surface_flow(sea), u_sun_direction.xy, pixel_m);
+    amount *= 1.0 - u_quiet_foam * current.b;
+    vec2 flow = surface_flow(sea) + current.rg;
+    Foam foam = foam_at(before, amount, max(crest, rim), rim, flow, u_sun_direction.xy, pixel_m);
     foam.cover = max(foam.cover, veil);
     return foam;
+}
+
+// Shade that the constant foam throws on what lies below (D21): its texture at mip 2, moved with the same two phases, read
+// towards the sun by the depth up to a limit, so that no shade reaches past the level's border. 1 where the sun comes through.
+float foam_shade(vec2 before, float depth, vec2 painted, vec4 current, float pixel_m) {
+    float amount = max(painted.y * u_foam_constant, foam_of_shore(current.a, 0.5)) * (1.0 - u_quiet_foam * current.b);
+    if (u_foam_shadow * amount < 0.01) return 1.0;
+    vec2 at = before + u_sun_direction.xy * min(max(depth, 0.0), u_foam_shadow_limit_m), first, second;
+    float weight, lod = max(log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4)), 2.0);
+    foam_places(at, current.rg, first, second, weight);
+    vec4 fields = textureLod(u_foam, first, lod);
+    if (weight > 0.0) fields = mix(fields, textureLod(u_foam, second, lod), weight);
+    return 1.0 - u_foam_shadow * foam_cover(fields, 0.6 * amount, lod);
 }
 
 // How much of a shore wave stands here, 0 … 1.

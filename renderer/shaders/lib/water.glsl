@@ -74,10 +74,21 @@ vec3 water_transmittance(float path_m) { return exp(-water_attenuation() * max(p
 // What the water column reflects by itself when bottomless (Gordon 1975: about 0.33 b / (a + b)).
 vec3 water_deep_albedo() { return 0.33 * u_backscatter / water_attenuation(); }
 
+// The artist's table (level/water_table.py): row 0 what is left, row 1 what is added, after that many metres.
+uniform sampler2D u_table;
+uniform bool u_table_on;
+
+vec3 water_table(float metres, int row) {
+    vec2 size = vec2(textureSize(u_table, 0));
+    float at = clamp(metres / 200.0, 0.0, 1.0) * (size.x - 1.0) + 0.5;
+    return textureLod(u_table, vec2(at / size.x, (float(row) + 0.5) / size.y), 0.0).rgb;
+}
+
 // Albedo of water `depth_m` deep over a bed, seen and lit at these cosines (above the surface): Lee et al. 1998, eq. 9.
 // Multiply by the irradiance on the surface; Fresnel is not in it.
 vec3 water_albedo(vec3 bed_albedo, float depth_m, float view_cosine, float light_cosine) {
     float path = depth_m * (1.0 / water_cosine(light_cosine) + 1.0 / water_cosine(view_cosine));
+    if (u_table_on) return bed_albedo * water_table(0.5 * path, 0) + water_table(0.5 * path, 1);
     vec3 through = water_transmittance(path);
     return water_deep_albedo() * (1.0 - through) + bed_albedo * through;
 }

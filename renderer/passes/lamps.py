@@ -1,0 +1,87 @@
+"""Point lights on everything in the G-buffer, land and sea alike: a rectangle of the screen for each (D01).
+
+A lamp costs the pixels within its radius, whatever they show: the sea is one more layer of the G-buffer.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...level.objects import PointLight
+from ..frame import Frame
+
+MOST = 256  # the nearest ones
+FLOATS = 12  # rectangle (left, low, right, high), camera-relative place and radius, power and nothing
+
+
+def visible(frame: Frame) -> np.ndarray:
+    """Rows of FLOATS for the lamps that can be seen, the nearest first, float32 `(n, FLOATS)`."""
+    matrices, rows = frame.matrices, []
+    for lamp in frame.level.objects.values():
+        if not isinstance(lamp, PointLight) or lamp.power_kcd <= 0:
+            continue
+        place = np.array(lamp.place(frame.time_s)) - matrices.position
+        box = screen_box(matrices, place, lamp.radius_m)
+        if box is not None:
+            power = lamp.power_kcd * np.array([lamp.red, lamp.green, lamp.blue]) * frame.renderer.sky.light.unit
+            rows.append((*box, *place, lamp.radius_m, *power, 0.0))
+    table = np.array(rows, np.float32).reshape(-1, FLOATS)
+    return table[np.argsort((table[:, 4:7] ** 2).sum(axis=1), kind="stable")[:MOST]]
+
+
+def screen_box(matrices, place: np.ndarray, radius_m: float) -> tuple[float, float, float, float] | None:
+    """The rectangle of clip space that holds a sphere at a camera-relative place; None where it isn't seen."""
+    depth = float(place @ -matrices.view[2])
+    if depth < -radius_m:
+        return None
+    if depth <= radius_m * 1.01:  # the camera may be in it
+        return -1.0, -1.0, 1.0, 1.0
+    ends = []
+    for axis in (matrices.ray_x, matrices.ray_y):
+        half = float(np.linalg.norm(axis))
+        off = float(place @ axis) / half
+        # tangents from the eye to the circle that the sphere is in this plane
+        root = radius_m * np.sqrt(max(off**2 + depth**2 - radius_m**2, 0.0))
+        slopes = (np.array([-root, root]) + off * depth) / (depth**2 - radius_m**2)
+        ends.append(np.clip(slopes / half + np.array([-0.01, 0.01]), -1, 1))
+    (left, right), (low, high) = ends
+    return (left, low, right, high) if left < right and low < high else None
+
+
+class Lamps:
+    """The instances on the GPU."""
+
+    def __init__(self, ctx) -> None:
+        self.ctx = ctx
+        self.buffer = ctx.buffer(reserve=4 * FLOATS * MOST, dynamic=True)
+        self.array, self.made_for = None, None
+
+    def draw(self, shader, table: np.ndarray) -> None:
+        self.buffer.write(np.ascontiguousarray(table).tobytes())
+        if self.made_for != (id(shader), shader.generation):
+            content = [(self.buffer, "4f 4f 4f/i", "in_box", "in_place", "in_power")]
+            self.array, self.made_for = self.ctx.vertex_array(shader.program, content), (id(shader), shader.generation)
+        self.array.render(self.ctx.TRIANGLE_STRIP, vertices=4, instances=len(table))
+
+    def release(self) -> None:
+        for thing in filter(None, (self.array, self.buffer)):
+            thing.release()
+
+
+def draw(frame: Frame) -> None:
+    if frame.view.scene == "lamps":
+        frame.targets.hdr.use()
+        frame.targets.hdr.clear()
+    table = visible(frame)
+    frame.stats["lamps"] = len(table)
+    if not len(table):
+        return
+    ctx, kept = frame.renderer.ctx, frame.renderer.kept
+    if "lamps" not in kept:
+        kept["lamps"] = Lamps(ctx)
+    frame.targets.hdr.use()
+    shader = frame.shader("lamps.glsl")
+    ctx.enable(ctx.BLEND)
+    ctx.blend_func = ctx.ONE, ctx.ONE
+    kept["lamps"].draw(shader, table)
+    ctx.disable(ctx.BLEND)
