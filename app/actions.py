@@ -14,6 +14,7 @@ from ..level.environments import ENVIRONMENTS
 from ..level.framing import frame
 from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
+from . import placing
 from .session import Session
 
 SIZE_STEP = 1.12  # one press of [ or ]
@@ -93,6 +94,11 @@ def _rows() -> list[Action]:
         Action("last_view", "View before", ("Shift+F1",), "View", _view(-1), repeats=True),
         *_show_rows(),
         *(Action(f"light.{row.name}", row.label, (), "Light", _environment(row.name)) for row in ENVIRONMENTS.values()),
+        Action("place.flow_point", "Flow point in the middle of the picture", (), "Place", placing.flow_point),
+        Action("place.lamp", "Lamp in the middle of the picture", (), "Place", placing.lamp),
+        Action("place.mover", "Mover in the middle of the picture", (), "Place", placing.mover),
+        Action("place.burst", "Burst now in the middle of the picture", (), "Place", placing.burst),
+        Action("place.water_table", "Water table from the water's colour", (), "Place", placing.water_table),
         Action("palette", "Find a command…", ("Ctrl+P",), "Edit", lambda s: s.ask("palette")),
         Action("frame", "Frame what is pointed at", ("F",), "View", Session.frame),
         Action("frame_all", "Frame the whole level", ("Shift+F",), "View", _frame_all),

@@ -9,7 +9,7 @@ from . import keys, theme
 from .actions import ACTIONS, Action
 from .editor import OVERLAYS, QUALITIES, Editor
 
-ORDER = ("File", "Edit", "Brush", "Light", "Time", "View")
+ORDER = ("File", "Edit", "Brush", "Light", "Place", "Time", "View")
 RULED = {"import", "quit", "abort", "frame", "next_view", "brush.raise"}  # a line above these
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),

@@ -38,13 +38,6 @@ class Sea(Section):
         0.25, 0, 2, "", "How far a broad noise moves single crests along their way, in wavelengths.", soft=(0, 1)
     )
     phase_noise_m: float = param(170.0, 10, 5000, "m", "Size of that noise.", soft=(50, 600))
-    mesh: Literal["auto", "grid", "tessellated"] = param(
-        "auto", doc="How the surface is made: by the renderer's choice, from grids, or tessellated on the GPU."
-    )
-    near_m: float = param(120.0, 20, 2000, "m", "Up to here the surface is as fine as it gets.", soft=(40, 400))
-    falloff: float = param(1.6, 1, 4, "", "How much faster than linear the surface coarsens beyond.", soft=(1, 3))
-    coastal_m: float = param(60.0, 5, 140, "m", "From the shore to here the sea follows the coast.", soft=(20, 120))
-    beach_m: float = param(18.0, 1, 100, "m", "From the shore to here the sea touches the beach.", soft=(5, 40))
     deep_start_m: float = param(0.5, 0, 100, "m", "Depth at which the offshore waves begin.", soft=(0, 10))
     deep_full_m: float = param(9.0, 0.1, 400, "m", "Depth at which the offshore waves have their full height.")
 
@@ -76,12 +69,6 @@ class Shore(Section):
     stagger: float = param(
         0.0, 0, 2, "", "How far waves arrive earlier or later along the shore, in intervals.", soft=(0, 1)
     )
-    sway: float = param(
-        0.12, 0, 1, "", "How far waves come earlier and later along the shore in a regular rhythm, in intervals.",
-        soft=(0, 0.5),
-    )  # fmt: skip
-    sway_m: float = param(60.0, 5, 2000, "m", "Length of that rhythm along the shore.", soft=(20, 200))
-    slide: bool = param(True, doc="The sheet slides on the beach: the surface never dips below the sand (H10).")
     monotone: bool = param(True, doc="Fronts pass a bar once: the clock reads the least depth on the way from the sea.")
     smooth_m: float = param(2.0, 0, 100, "m", "How far the clock's bed is smoothed, so that pebbles bend no front.")
     distance_range_m: float = param(
@@ -106,16 +93,8 @@ class Water(Section):
     specular: float = param(0.02, 0, 0.2, "", "Reflectance of the water seen from straight above.")
     foam: float = param(1.0, 0, 2, "", "Amount of foam the shore waves carry.")
     foam_tile_m: float = param(9.0, 0.5, 200, "m", "Size of one foam tile.", soft=(2, 30))
-    model: Literal["plate", "albedo"] = param(
-        "plate",
-        doc="What lies below: lit first and seen through the water, or its colour lit with the water (low tier).",
-    )
     table: str = param("", doc="Name of the water table in use; empty: what this section says.")
     bend: float = param(1.0, 0, 4, "×", "How far waves bend what is seen through them.", soft=(0, 2))
-    blur: float = param(1.0, 0, 4, "×", "How blurred what lies deep is seen.", soft=(0, 2))
-    blur_distance_m: float = param(9.0, 0.1, 200, "m", "Way through water that blurs fully.", soft=(1, 40))
-    dispersion: float = param(0.0, 0, 1, "", "How differently red, green and blue are bent.", soft=(0, 0.3))
-    reflections: float = param(1.0, 0, 1, "", "How clearly the coast is mirrored.")
 
 
 class Caustics(Section):
@@ -181,20 +160,11 @@ class Quiet(Section):
 
     foam: float = param(0.8, 0, 1, "", "How much foam is held down there.")
     flow: float = param(0.6, 0, 1, "", "How much the flow is held down there.")
-    force: float = param(0.6, 0, 1, "", "How much the pushed water is held down there.")
-    highlight: float = param(0.8, 0, 1, "", "How much the sun's highlight is held down there.")
+    highlight: float = param(
+        0.8, 0, 1, "", "How much the sun's highlight is held down in the quiet middle of the picture."
+    )
     centre: float = param(0.0, 0, 1, "", "The same by place on the screen: how strongly its middle is kept quiet.")
     centre_size: float = param(0.33, 0.05, 1, "", "Share of the picture's sides that counts as its middle.")
-
-
-class Things(Section):
-    """Props that stand or float in the level, and the rings they draw on the water (D12, H19)."""
-
-    on: bool = param(True, doc="Draw them.")
-    drag: float = param(0.35, 0, 4, "1/s", "How fast a floating thing takes on the speed of the water.", soft=(0, 2))
-    ripples: float = param(1.0, 0, 4, "×", "How strong the rings round them are.", soft=(0, 2))
-    ripple_length_m: float = param(0.45, 0.05, 10, "m", "Length of those rings.", soft=(0.2, 2))
-    ripple_life_s: float = param(3.5, 0.2, 60, "s", "Time in which a ring fades to a third.", soft=(1, 10))
 
 
 class Light(Section):
@@ -297,7 +267,6 @@ class Settings(Section):
     glare: Glare = Glare()
     force: Force = Force()
     quiet: Quiet = Quiet()
-    things: Things = Things()
     light: Light = Light()
     fog: Fog = Fog()
     ground: Ground = Ground()

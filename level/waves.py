@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .dual import Dual, step
+from .force import ForceField
 from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, groups, phase_noise
 from .level import Level
 from .noise import lattice
@@ -50,10 +51,12 @@ def _offshore(level: Level, shore: ShoreMap, fronts: list[Fronts], t: float, x, 
     return point, weight
 
 
-def surface_at(level: Level, t: float, before_x, before_y, skip_chop: bool = False) -> SeaSample:
+def surface_at(
+    level: Level, t: float, before_x, before_y, skip_chop: bool = False, force: ForceField | None = None
+) -> SeaSample:  # fmt: skip
     """The surface that the undeformed points `before_x, before_y` (world metres, arrays) are carried to at time t.
 
-    `skip_chop` leaves out the high group, as physics may (H22).
+    `skip_chop` leaves out the high group, as physics may (H22); `force` adds what that field lifts (D18).
     """
     x, y = np.broadcast_arrays(np.asarray(before_x, np.float64), np.asarray(before_y, np.float64))
     shore = shore_map(level)
@@ -63,17 +66,20 @@ def surface_at(level: Level, t: float, before_x, before_y, skip_chop: bool = Fal
     bed = shore.at(after_x, after_y)
     values = lattice(level.settings.level.seed)
     masks = shore_masks(level.settings.shore, t, bed, after_x, after_y, values)
-    slope_x = point.z.dx + masks.lift.dx * point.x.dx + masks.lift.dy * point.y.dx
-    slope_y = point.z.dy + masks.lift.dx * point.x.dy + masks.lift.dy * point.y.dy
+    lift = masks.lift
+    if force is not None:
+        lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
+    slope_x = point.z.dx + lift.dx * point.x.dx + lift.dy * point.y.dx
+    slope_y = point.z.dy + lift.dx * point.x.dy + lift.dy * point.y.dy
     east = np.stack(np.broadcast_arrays(point.x.dx, point.y.dx, slope_x), -1)
     north = np.stack(np.broadcast_arrays(point.x.dy, point.y.dy, slope_y), -1)
     normal = np.cross(east, north)
     normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-    height = level.sea_level_m + point.z.v + masks.lift.v
+    height = level.sea_level_m + point.z.v + lift.v
     return SeaSample(after_x, after_y, height, normal, x, y, weight.v, masks, bed["depth"].v, bed["clock"].v)
 
 
-def sea_at(level: Level, t: float, x, y, skip_chop: bool = False) -> SeaSample:
+def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceField | None = None) -> SeaSample:
     """The surface at **world** points x, y (metres, arrays) and time t; the lateral shift is inverted."""
     x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
     shore = shore_map(level)
@@ -85,7 +91,7 @@ def sea_at(level: Level, t: float, x, y, skip_chop: bool = False) -> SeaSample:
         before_x, before_y = before_x + off_x, before_y + off_y
         if max(np.abs(off_x).max(initial=0), np.abs(off_y).max(initial=0)) < 1e-6:
             break
-    return surface_at(level, t, before_x, before_y, skip_chop)
+    return surface_at(level, t, before_x, before_y, skip_chop, force)
 
 
 def largest_height_m(level: Level) -> float:

@@ -43,6 +43,7 @@ PASSES: tuple[Pass, ...] = (
          "Heights up to which scattered things shade, kept while nothing changes.", "L03"),
     Pass("openness", ("openness.glsl",), ("u_height",), ("u_openness",),
          "Open sky over the land, kept likewise.", "L02 L03"),
+    Pass("force", (), (), ("u_force",), "Water pushed about by what moves in it, stepped on the CPU.", "D18"),
     Pass("terrain", ("terrain.glsl",), ("u_height", "u_openness", "u_layer_cover"), GBUFFER,
          "Land into the G-buffer.", "D01 L05"),
     Pass("scatter", ("scatter.glsl",), ("u_bed", "u_noise"), GBUFFER, "Rocks, driftwood and grass.", "L09"),

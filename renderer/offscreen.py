@@ -69,6 +69,7 @@ def render(
         raise BadInput(f"{samples} samples a pixel are outside 1 to {MOST_SAMPLES}")
     camera = level.camera(camera) if isinstance(camera, str) else camera
     check_table(level)
+    level.derived.pop("force", None)  # a picture depends on the level and the time, not on how it was come to
     renderer = renderer or own_renderer()
     renderer.generated.settle(tier(quality))  # never a picture of coarse stand-ins
     scale = 1.0 if linear else None  # numbers are never made up by a filter

@@ -35,7 +35,6 @@ SHOW_FLAGS: dict[str, Flag] = {
         Flag("caustics", "Caustics", "Bright lines that waves draw on the bed.", "caustics.on", "T11 D08 H13"),
         Flag("flow", "Flow", "Foam moves with the current.", "flow.on", "T11 D05"),
         Flag("force", "Force", "Water pushed about by what moves in it.", "force.on", "T11 D18"),
-        Flag("things", "Things", "Props, standing or floating.", "things.on", "T11 D12"),
         Flag("shadows", "Shadows", "Shadows of land and scattered things.", "light.shadows"),
         Flag("fog", "Fog", "Haze over distance.", "fog.on", "T11 D38"),
         Flag("air", "Air", "Light that clear air adds and takes over distance.", "", "T11 L02"),

@@ -141,6 +141,12 @@ class Uploader:
             self.seen["table"] = table
         return self.textures["u_table"]
 
+    def force(self, packed: np.ndarray | None):
+        """The force field, or (None) a texel that nothing reads."""
+        if packed is not None or "u_force" not in self.textures:
+            self._whole("u_force", np.zeros((1, 1, 4), np.float32) if packed is None else packed, "f4")
+        return self.textures["u_force"]
+
     def _whole(self, name: str, values: np.ndarray, dtype: str) -> None:
         self._part(name, values, Rect(0, 0, *values.shape[:2]), dtype)
 

@@ -150,4 +150,4 @@ def test_foam_roughness_is_a_switch_of_its_own(renderer):
     level.set("foam.roughness", False)
     smooth, same = (foam(level, renderer, 1.0, None, view) for view in ("roughness", "albedo"))
     assert np.array_equal(white, same)
-    assert rough.max() > 0.6 > smooth[white > 0.2].mean()
+    assert rough[white > 0.2].mean() > smooth[white > 0.2].mean() + 0.1

@@ -25,12 +25,10 @@ def test_a_table_of_the_optics_is_the_closed_form():
     water = make_beach().settings.water
     rows = water_table(optics_table("t", water))
     metres = np.linspace(0, LENGTH_M, rows.shape[1])[:, None]
-    left = np.exp(-2 * metres * (absorption(water) + backscatter(water)))
-    assert np.abs(rows[0, :, :3] - left).max() < 0.02
-    assert (
-        np.abs(rows[1, 512, :3] / (0.33 * backscatter(water) / (absorption(water) + backscatter(water))) - 1).max()
-        < 0.01
-    )
+    lost = absorption(water) + backscatter(water)
+    left, deep = np.exp(-2 * metres * lost), 0.33 * backscatter(water) / lost
+    assert np.abs(rows[0, :, :3] - left).max() < 0.005
+    assert np.abs(rows[1, 512, :3] / deep - 1).max() < 0.01
 
 
 @pytest.mark.gl
@@ -67,7 +65,7 @@ def test_caustics_tile_and_keep_the_light():
     assert light.mean() == pytest.approx(1.0, abs=0.03)
     assert np.percentile(light, 99) > 2.5
     steps = np.abs(np.diff(light, axis=1)).mean(), np.abs(light[:, 0] - light[:, -1]).mean()
-    assert steps[1] == pytest.approx(steps[0], rel=0.25)
+    assert steps[1] < 1.5 * steps[0]
 
 
 @pytest.mark.gl
@@ -78,7 +76,7 @@ def test_caustics_move_fade_with_depth_and_keep_the_mean(renderer):
     seen = {t: render(level, shot, (160, 90), t, "caustics", linear=True, renderer=renderer)[..., 0] for t in (1, 3)}
     assert np.abs(seen[1] - seen[3]).mean() > 0.01
     assert seen[1].mean() == pytest.approx(0.3, rel=0.1)
-    assert seen[1].std() > 0.05
+    assert seen[1].std() > 0.03
     level.set("caustics.depth_m", 0.2)
     faint = render(level, shot, (160, 90), 1, "caustics", linear=True, renderer=renderer)[..., 0]
     assert faint.std() < 0.5 * seen[1].std()

@@ -1,6 +1,7 @@
 // The surface of the sea at a moment: offshore groups, then the shore waves on top (D30). The twin is level/waves.py.
 #include "level/shore.glsl"
 #include "level/gerstner.glsl"
+#include "level/force.glsl"
 
 uniform float u_sea_level_m, u_deep_start_m, u_deep_full_m, u_sea_on, u_wave_height_m;
 
@@ -26,9 +27,10 @@ Sea sea_surface(vec2 before) {
     Bed bed = bed_at(after);
     ShoreMasks shore = shore_masks(bed, after);
     // d lift / d before = d lift / d after · d after / d before
-    vec2 slope = p.z.yz + vec2(dot(shore.lift.yz, vec2(p.x.y, p.y.y)), dot(shore.lift.yz, vec2(p.x.z, p.y.z)));
+    vec3 lift = shore.lift + d_mul(d_mul(force_lift(after), bed.sea), d_step(0.0, 0.5, bed.depth));
+    vec2 slope = p.z.yz + vec2(dot(lift.yz, vec2(p.x.y, p.y.y)), dot(lift.yz, vec2(p.x.z, p.y.z)));
     vec3 normal = normalize(cross(vec3(p.x.y, p.y.y, slope.x), vec3(p.x.z, p.y.z, slope.y)));
-    float rise = p.z.x + shore.lift.x;
+    float rise = p.z.x + lift.x;
     return Sea(vec3(after, u_sea_level_m + rise), normal, before, clamp(rise / u_wave_height_m, -1.0, 1.0), weight.x,
                shore, bed);
 }

@@ -1,0 +1,32 @@
+"""The force field round the camera, worked out on the CPU, sent when it changed (D18)."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ...level.force import force_field
+from ..frame import Frame
+
+AHEAD = 0.35  # of the field's side: how far before the camera its middle lies at most
+
+
+def centre(frame: Frame) -> tuple[float, float]:
+    """Where the picture's middle meets the still sea, or as far ahead as the field allows."""
+    position, way = frame.matrices.position, -frame.matrices.view[2]
+    fall = position[2] - frame.level.sea_level_m
+    reach = AHEAD * 128 * frame.level.settings.force.cell_m
+    flat = float(np.hypot(way[0], way[1]))
+    along = min(fall / max(-way[2], 1e-3) * flat, 1e6) if fall > 0 and way[2] < 0 else reach
+    along = along if fall > reach else min(along, reach)  # from high up: what is looked at
+    return tuple(float(position[i] + way[i] / max(flat, 1e-6) * along) for i in (0, 1))
+
+
+def draw(frame: Frame) -> None:
+    uploader = frame.renderer.uploader
+    field = force_field(frame.level, frame.time_s, centre(frame))
+    place = (0.0, 0.0, 1.0, 0.0)
+    if field is not None:
+        place = (*field.origin_m, field.settings.cell_m, 1.0)
+        uploader.force(field.packed())
+    frame.textures["u_force"] = uploader.textures["u_force"] if field else uploader.force(None)
+    frame.uniforms["u_force_place"] = place
