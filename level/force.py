@@ -3,9 +3,9 @@
     field = force_field(level, t, (x, y))     # None while nothing stirs
     field.lift(x, y)                          # Dual, metres
 
-128² cells round a centre that flow, spread and decay. It scrolls by whole cells: what is pushed stays in its place in the
-world. A state at t is made by fixed steps from rest some time before, so that a picture depends on the level and t alone;
-only the window goes on from the state that it has. The GPU gets the same array.
+128² cells round a centre that flow, spread and decay. It scrolls by whole cells: what is pushed stays in its place in
+the world. A state at t is made by fixed steps from rest some time before, so that a picture depends on the level and t
+alone; only the window goes on from the state that it has. The GPU gets the same array.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ MOST_PUSH_MPS, BORDER = 8.0, 12  # cells over which the field dies out at its ri
 
 @dataclass
 class ForceField:
-    """`state` float64 `(4, SIDE, SIDE)`: push east, north m/s, lift m, foam; `first` is its south-west cell (col, row)."""
+    """`state` float64 `(4, SIDE, SIDE)`: push east, north m/s, lift m, foam; `first` (col, row) its south-west cell."""
 
     settings: Force
     first: tuple[int, int]

@@ -101,10 +101,10 @@ class Caustics(Section):
     """Bright lines that waves draw on whatever lies under water (D08, H13)."""
 
     on: bool = param(True, doc="Caustics.")
-    strength: float = param(1.0, 0, 4, "×", "How bright the lines are.", soft=(0, 2))
+    strength: float = param(0.7, 0, 4, "×", "How bright the lines are.", soft=(0, 2))
     tile_m: float = param(5.6, 0.5, 100, "m", "Size of one tile of them.", soft=(2, 15))
     bend: float = param(1.0, 0, 4, "×", "How far they sway.", soft=(0, 2))
-    depth_m: float = param(5.0, 0.1, 100, "m", "Depth by which they have faded to a third.", soft=(1, 20))
+    depth_m: float = param(3.0, 0.1, 100, "m", "Depth by which they have faded to a third.", soft=(1, 20))
 
 
 class Flow(Section):
@@ -160,10 +160,8 @@ class Quiet(Section):
 
     foam: float = param(0.8, 0, 1, "", "How much foam is held down there.")
     flow: float = param(0.6, 0, 1, "", "How much the flow is held down there.")
-    highlight: float = param(
-        0.8, 0, 1, "", "How much the sun's highlight is held down in the quiet middle of the picture."
-    )
-    centre: float = param(0.0, 0, 1, "", "The same by place on the screen: how strongly its middle is kept quiet.")
+    highlight: float = param(0.8, 0, 1, "", "How much the highlight is held down in a quiet middle.")
+    centre: float = param(0.0, 0, 1, "", "How strongly the middle of the picture is kept free of highlight.")
     centre_size: float = param(0.33, 0.05, 1, "", "Share of the picture's sides that counts as its middle.")
 
 

@@ -34,7 +34,7 @@ def test_fifty_movers_stay_bounded_and_it_comes_to_rest():
     packed = field.packed()
     assert 0.02 < np.abs(packed[..., 2]).max() <= level.settings.force.limit_m
     assert packed[..., 3].max() > 0.3
-    for _ in range(round(2 * MEMORY * level.settings.force.decay_s / STEP_S)):
+    for _ in range(round(3 * MEMORY * level.settings.force.decay_s / STEP_S)):
         field.step((), ())
     assert not field.state.any()
 

@@ -8,10 +8,10 @@ from shorewright.app.session import Session
 from shorewright.level.objects import Disturbance, FlowPoint, Mover, PointLight, WaterTable
 
 PLACED = {
-    "place.mover": Mover,
-    "place.burst": Disturbance,
     "place.flow_point": FlowPoint,
     "place.lamp": PointLight,
+    "place.mover": Mover,
+    "place.burst": Disturbance,
     "place.water_table": WaterTable,
 }
 

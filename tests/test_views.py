@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from shorewright.level import LAYERS, BadInput, Grid, Level, Rect
-from shorewright.level.objects import Camera
+from shorewright.level.objects import Camera, Disturbance, Mover, PointLight
 from shorewright.renderer import SHOW_FLAGS, VIEWS, Overlays, Renderer, Ring, Show, render
 
 pytestmark = pytest.mark.gl
@@ -24,6 +24,12 @@ def small_coast():
             channels = len(row.channels)
             paint = 0.8 if channels == 1 else np.linspace(0.9, 0.3, channels, dtype=np.float32)
             level.write(name, Rect(30, 50, 110, 120) if row.grid == "level" else Rect(0, 0, 1, 1), paint)
+    for thing in (
+        Mover(id="mover", x=70, y=36, circle_m=4, radius_m=2, speed_mps=4),
+        Disturbance(id="burst", x=86, y=40, time_s=4.5, radius_m=5, strength=5),
+        PointLight(id="lamp", x=80, y=50, z=4, power_kcd=900),
+    ):
+        level.put_object(thing.id, thing)
     return level
 
 

@@ -39,7 +39,8 @@ def test_tables_are_switched_live(renderer):
     level.put_object("optics", optics_table("optics", level.settings.water))
     level.put_object("red", WaterTable(id="red", stops=RED))
     level.set("water.table", "optics")
-    assert np.abs(picture(level, renderer).astype(int) - plain).max() <= 6
+    off = np.abs(picture(level, renderer).astype(int) - plain)
+    assert np.percentile(off, 99) <= 3
     level.set("water.table", "red")
     red = picture(level, renderer)
     assert red[30:50, :, 0].mean() > plain[30:50, :, 0].mean() + 25
@@ -76,7 +77,7 @@ def test_caustics_move_fade_with_depth_and_keep_the_mean(renderer):
     seen = {t: render(level, shot, (160, 90), t, "caustics", linear=True, renderer=renderer)[..., 0] for t in (1, 3)}
     assert np.abs(seen[1] - seen[3]).mean() > 0.01
     assert seen[1].mean() == pytest.approx(0.3, rel=0.1)
-    assert seen[1].std() > 0.03
+    assert seen[1].std() > 0.02
     level.set("caustics.depth_m", 0.2)
     faint = render(level, shot, (160, 90), 1, "caustics", linear=True, renderer=renderer)[..., 0]
     assert faint.std() < 0.5 * seen[1].std()

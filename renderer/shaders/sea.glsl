@@ -124,7 +124,7 @@ void main() {
     vec2 painted = u_show_painted_foam ? layer_at(u_layer_foam, before, u_cell_m).rg : vec2(0.0);
     vec4 current = current_at(before), force = force_at(sea.position.xy);
     current.rg += force.xy;
-    painted.y = max(painted.y, force.w);
+    stirred = force.w;
     Foam foam = sea_foam(sea, before, column, sharp.x, painted, current, u_show_procedural_foam, pixel_m);
 
     vec4 land = below(normal, eye_depth, away);

@@ -43,7 +43,7 @@ float caustics(vec2 xy, float depth, float pixel_m) {
     vec2 one = textureLod(u_ripple, 0.31 * at + u_ripple_way[1].zz * vec2(0.6, 1.0), 2.0).xy;
     vec2 two = textureLod(u_ripple, 0.23 * at.yx - u_ripple_way[2].zz * vec2(1.0, -0.5) + 0.37, 2.0).yx;
     at += 0.055 * u_caustics_bend * (one - two);
-    float light = textureLod(u_caustics, at, max(lod, 0.0) + 0.5 * depth).r / CAUSTICS_MEAN;
+    float light = textureLod(u_caustics, at, max(lod, 0.0) + 0.7 * depth).r / CAUSTICS_MEAN;
     return max(1.0 + strength * (light - 1.0), 0.0);
 }
 

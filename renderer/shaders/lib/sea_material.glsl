@@ -53,6 +53,9 @@ vec2 foam_painted(vec2 painted, ShoreMasks m) {
     return saturate(vec3(painted.x * u_foam_transient * (m.back + m.line + m.fall), painted.y * u_foam_constant, 0.0)).xy;
 }
 
+// Foam that the pushed water makes at this pixel (D18).
+float stirred = 0.0;
+
 // What the waves leave: crest line, torn back, lace on the sheet, its rim on the sand; `painted` is the foam layer.
 Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec4 current, bool waves, float pixel_m) {
     vec2 layers = foam_painted(painted, sea.shore);
@@ -63,7 +66,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     veil *= waves ? sea.deep : 0.0;
     float still = waves ? foam_of_height(sea.height01 * sharp) * sharp : 0.0;
     bool far_out = shore * m.s < 0.2 && current.a > u_foam_shore_far_m;
-    if (far_out && offshore + paint + still < 0.004) return Foam(veil, 0.0, 0.0, 0.5, 0.5);
+    if (far_out && offshore + paint + still + stirred < 0.004) return Foam(veil, 0.0, 0.0, 0.5, 0.5);
     float near;
     float patches = foam_patches(before, pixel_m, near);
     float torn = smoothstep(0.30, 0.70, patches);
@@ -90,7 +93,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     crest *= mix(0.97, 0.80, smoothstep(0.95, 1.02, m.s));
     float constant = foam_of_shore(current.a, torn) * sea.bed.sea.x;
     float clean = (1.0 - crest) * (1.0 - wake) * (1.0 - lace) * (1.0 - rim) * (1.0 - offshore);
-    clean *= (1.0 - constant) * (1.0 - still * (0.35 + 0.65 * torn));
+    clean *= (1.0 - 0.85 * stirred * (0.4 + 0.6 * torn)) * (1.0 - constant) * (1.0 - still * (0.35 + 0.65 * torn));
     clean = waves ? clean : 1.0;
     float amount = 1.0 - (1.0 - saturate((1.0 - clean) * u_foam_amount)) * (1.0 - paint * (0.34 + 0.26 * back));
     amount *= 1.0 - u_quiet_foam * current.b;
