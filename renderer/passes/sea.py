@@ -44,6 +44,13 @@ def water_shown(frame: Frame) -> bool:
     return frame.level.settings.water.on
 
 
+def below_defines(frame: Frame) -> dict[str, str]:
+    """How the sea's shader sees what lies below: through plates, or its colour (D02)."""
+    from .plate import in_use
+
+    return {"PLATE": ""} if in_use(frame) else {}
+
+
 def draw(frame: Frame) -> None:
     if not water_shown(frame):
         return
@@ -51,7 +58,9 @@ def draw(frame: Frame) -> None:
     frame.targets.gbuffer.use()
     frame.textures["u_layer_foam"] = frame.renderer.uploader.layer(frame.level, "foam")
     lod, view, chunks = sea_chunks(frame)
-    shader = frame.shader("sea.glsl", MESH="", **({} if frame.tier.sea_exact else {"COARSE": ""}))
+    shader = frame.shader(
+        "sea.glsl", MESH="", **({} if frame.tier.sea_exact else {"COARSE": ""}), **below_defines(frame)
+    )
     set_uniforms(shader.program, mesh_uniforms(lod, view))
     ctx.enable(ctx.DEPTH_TEST)
     frame.stats["sea_triangles"] = chunk_mesh(frame, lod.chunk).draw(shader, chunks)

@@ -13,6 +13,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/wet.glsl"
 #include "lib/brdf.glsl"
 #include "lib/sea_material.glsl"
+#include "lib/plate.glsl"
 uniform sampler2D hdr, under_albedo, under_eye_depth;
 #ifdef LAYER
 uniform sampler2D u_layer;
