@@ -93,6 +93,12 @@ class Water(Section):
     specular: float = param(0.02, 0, 0.2, "", "Reflectance of the water seen from straight above.")
     foam: float = param(1.0, 0, 2, "", "Amount of foam the shore waves carry.")
     foam_tile_m: float = param(9.0, 0.5, 200, "m", "Size of one foam tile.", soft=(2, 30))
+    model: Literal["plate", "albedo"] = param(
+        "plate", doc="What lies below: lit first, seen through the water; or its colour lit with the water (low tier)."
+    )
+    blur: float = param(1.0, 0, 4, "×", "How blurred what lies deep is seen.", soft=(0, 2))
+    blur_distance_m: float = param(16.0, 0.1, 200, "m", "Way through water that blurs fully.", soft=(1, 40))
+    dispersion: float = param(0.0, 0, 1, "", "How differently red, green and blue are bent.", soft=(0, 0.3))
     table: str = param("", doc="Name of the water table in use; empty: what this section says.")
     bend: float = param(1.0, 0, 4, "×", "How far waves bend what is seen through them.", soft=(0, 2))
 

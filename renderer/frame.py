@@ -49,6 +49,8 @@ PASSES: tuple[Pass, ...] = (
     Pass("scatter", ("scatter.glsl",), ("u_bed", "u_noise"), GBUFFER, "Rocks, driftwood and grass.", "L09"),
     Pass("contact", ("contact.glsl",), ("g_eye_depth",), ("g_albedo",), "Less sky at the foot of things.", "L03"),
     Pass("under", (), GBUFFER, UNDER, "Copies what lies under the water.", "D02"),
+    Pass("plate", ("light.glsl", "plate.glsl"), (*GBUFFER, "u_shadow"), ("hdr", "u_plates"),
+         "Lit land at half size, as it is seen through water.", "H12 H13"),
     Pass("sea", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea into it.", "D01 D10 H05"),
     Pass("horizon", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea beyond the mesh.", "H21"),
     Pass("lookdev", ("lookdev.glsl",), (), GBUFFER, "In its view: balls and a card.", "L08"),

@@ -10,7 +10,8 @@
 | `g_before` | RG32F | world xy before deformation (H30); on land the world xy itself |
 
 Position isn't stored: it is the pixel's ray times eye depth, camera-relative. `under_*` are copies of the land's part
-taken before the water is drawn (D02). `hdr` is linear radiance in kcd/m², RGBA16F; `picture` the same with
+taken before the water is drawn (D02); `u_plates` is the lit land twice at half size, side by side (H12).
+`hdr` is linear radiance in kcd/m², RGBA16F; `picture` the same with
 haze, or a view's numbers, RGBA32F; `total` sums jittered frames; `shown`, `smoothed` (only where the picture is drawn
 smaller than it is shown) and `display` are display colours, RGBA8. All but `display` have the size that is drawn.
 """
@@ -46,6 +47,10 @@ class Targets:
             components, dtype = GBUFFER[name]
             self._add(name.replace("g_", "under_"), components, dtype)
         self._add("hdr", 4, "f2")
+        self.plate_size = (drawn[0] + 1) // 2, (drawn[1] + 1) // 2
+        for name, sides in (("u_plates", 2), ("u_plate_half", 1)):
+            self.textures[name] = self._texture((sides * self.plate_size[0], self.plate_size[1]), 4, "f2")
+            self.textures[name].filter = ctx.LINEAR, ctx.LINEAR
         self._add("picture", 4, "f4")
         self._add("total", 4, "f4")
         self._add("shown", 4, "f1")
@@ -59,6 +64,8 @@ class Targets:
         self.land = [self._framebuffer(name) for name in UNDER]
         self.under = [self._framebuffer(name.replace("g_", "under_")) for name in UNDER]
         self.hdr = self._framebuffer("hdr")
+        self.plates = self._framebuffer("u_plates")
+        self.plate_half = self._framebuffer("u_plate_half")
         self.picture = self._framebuffer("picture")
         self.total = self._framebuffer("total")
         self.shown = self._framebuffer("shown")
@@ -85,7 +92,16 @@ class Targets:
     def release(self) -> None:
         # Making a framebuffer binds again what was bound before: that must not be one that is gone.
         self.ctx.detect_framebuffer(0).use()
-        framebuffers = (self.gbuffer, self.hdr, self.picture, self.total, self.shown, self.display)
+        framebuffers = (
+            self.gbuffer,
+            self.hdr,
+            self.plates,
+            self.plate_half,
+            self.picture,
+            self.total,
+            self.shown,
+            self.display,
+        )
         for thing in (*framebuffers, *self.land, *self.under, self.smoothed, *self.textures.values(), self.depth):
             if thing is not None:
                 thing.release()

@@ -4,21 +4,21 @@ from __future__ import annotations
 
 import numpy as np
 
-from ...level.force import force_field
+from ...level.force import SIDE, force_field
 from ..frame import Frame
 
-AHEAD = 0.35  # of the field's side: how far before the camera its middle lies at most
+AHEAD = 0.5  # of the field's side: how far before the camera its middle lies at most, so that what is near is in it
 
 
 def centre(frame: Frame) -> tuple[float, float]:
     """Where the picture's middle meets the still sea, or as far ahead as the field allows."""
     position, way = frame.matrices.position, -frame.matrices.view[2]
-    fall = position[2] - frame.level.sea_level_m
-    reach = AHEAD * 128 * frame.level.settings.force.cell_m
-    flat = float(np.hypot(way[0], way[1]))
-    along = min(fall / max(-way[2], 1e-3) * flat, 1e6) if fall > 0 and way[2] < 0 else reach
-    along = along if fall > reach else min(along, reach)  # from high up: what is looked at
-    return tuple(float(position[i] + way[i] / max(flat, 1e-6) * along) for i in (0, 1))
+    fall = float(position[2] - frame.level.sea_level_m)
+    flat = max(float(np.hypot(way[0], way[1])), 1e-6)
+    along = AHEAD * SIDE * frame.level.settings.force.cell_m
+    if fall > 0 and way[2] < 0:
+        along = min(along, fall / -float(way[2]) * flat)
+    return tuple(float(position[i] + way[i] / flat * along) for i in (0, 1))
 
 
 def draw(frame: Frame) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..frame import Frame
-from .sea import water_shown
+from .sea import below_defines, water_shown
 
 
 def draw(frame: Frame) -> None:
@@ -11,7 +11,7 @@ def draw(frame: Frame) -> None:
         return
     ctx = frame.renderer.ctx
     frame.targets.gbuffer.use()
-    shader = frame.shader("sea.glsl", HORIZON="")
+    shader = frame.shader("sea.glsl", HORIZON="", **below_defines(frame))
     # Under the mesh by a little, where that lies flat: no row of background between them.
     shader.program["u_horizon_m"].value = 0.985 * frame.tier.sea_distance_m
     vertices = frame.renderer.kept.get("horizon")

@@ -53,6 +53,13 @@ def bind_water(frame: Frame) -> None:
     frame.uniforms["u_current_cell_m"] = current(frame.level).cell_m
 
 
+def below_defines(frame: Frame) -> dict[str, str]:
+    """How the sea's shader sees what lies below: through plates, or its colour (D02)."""
+    from .plate import in_use
+
+    return {"PLATE": ""} if in_use(frame) else {}
+
+
 def draw(frame: Frame) -> None:
     if not water_shown(frame):
         return
@@ -60,7 +67,9 @@ def draw(frame: Frame) -> None:
     frame.targets.gbuffer.use()
     bind_water(frame)
     lod, view, chunks = sea_chunks(frame)
-    shader = frame.shader("sea.glsl", MESH="", **({} if frame.tier.sea_exact else {"COARSE": ""}))
+    shader = frame.shader(
+        "sea.glsl", MESH="", **({} if frame.tier.sea_exact else {"COARSE": ""}), **below_defines(frame)
+    )
     set_uniforms(shader.program, mesh_uniforms(lod, view))
     ctx.enable(ctx.DEPTH_TEST)
     frame.stats["sea_triangles"] = chunk_mesh(frame, lod.chunk).draw(shader, chunks)

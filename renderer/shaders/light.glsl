@@ -31,6 +31,17 @@ void main() {
     s.emissive = vec3(0.0);
 #endif
     vec3 relative = pixel_ray() * s.eye_depth;
+    // H12: what may lie under water is lit without a mirror for the plates, and again, with it, where it stays bare
+    bool low = relative.z + u_camera.z < u_level_sea_level_m + 3.0;
+#ifdef LAND_FIRST
+    if (low) {
+        s.specular = 0.0;
+        s.roughness = 1.0;
+    }
+#endif
+#ifdef SEA_ALONE
+    if (s.material != SEA && !low) discard;
+#endif
     vec3 to_eye = -normalize(relative);
     vec3 mirror = reflect(-to_eye, s.normal);
     vec3 f0 = vec3(s.specular);

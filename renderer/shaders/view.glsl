@@ -15,6 +15,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/sea_material.glsl"
 #include "lib/layer.glsl"
 #include "lib/sea_below.glsl"
+#include "lib/plate.glsl"
 uniform sampler2D u_layer_foam;
 uniform sampler2D hdr;
 #ifdef LAYER

@@ -6,10 +6,27 @@
 uniform sampler2D under_albedo, under_eye_depth;
 uniform bool u_show_refraction;
 uniform float u_water_bend;
+#ifdef PLATE
+#include "lib/plate.glsl"
+uniform float u_water_blur_distance_m, u_water_dispersion;
+
+// Radiance of what lies `thickness` metres of water behind the surface, blurred with the way (H12); red is bent less
+// than blue.
+vec3 through_plates(vec2 here, vec2 bent, float thickness) {
+    float blurred = clamp(thickness / u_water_blur_distance_m, 0.0, 1.0);
+    if (u_water_dispersion <= 0.0) return mix(plate(bent, 0.0), plate(bent, 1.0), blurred);
+    vec3 light;
+    for (int i = 0; i < 3; ++i) {
+        vec2 at = mix(here, bent, 1.0 + 0.5 * u_water_dispersion * float(i - 1));
+        light[i] = mix(plate(at, 0.0)[i], plate(at, 1.0)[i], blurred);
+    }
+    return light;
+}
+#endif
 
 // Colour and thickness of the land below, looked up where the wave bends the view; never from before the water.
 vec4 below(vec3 normal, float eye_depth, float away) {
-    ivec2 size = textureSize(under_albedo, 0), here = ivec2(gl_FragCoord.xy);
+    ivec2 size = textureSize(under_eye_depth, 0), here = ivec2(gl_FragCoord.xy);
     ivec2 bent = here;
     if (u_show_refraction) {
         float depth = texelFetch(under_eye_depth, here, 0).r - eye_depth;
@@ -22,9 +39,13 @@ vec4 below(vec3 normal, float eye_depth, float away) {
         bent = here;
         depth = texelFetch(under_eye_depth, here, 0).r;
     }
-    vec3 albedo = texelFetch(under_albedo, bent, 0).rgb;
     float thickness = depth > eye_depth ? (depth - eye_depth) * away / eye_depth : (depth > 0.0 ? 0.0 : 1e4);
+#ifdef PLATE
+    return vec4(through_plates(vec2(here) + 0.5, vec2(bent) + 0.5, thickness), thickness);
+#else
+    vec3 albedo = texelFetch(under_albedo, bent, 0).rgb;
     return vec4(albedo * albedo, thickness);
+#endif
 }
 
 uniform sampler2D u_caustics;
@@ -53,10 +74,15 @@ vec3 light_from_below(
     vec3 bed_albedo, float still_depth, vec2 bed_xy, float depth, float cosine, vec3 sun, vec3 sky, float pixel_m
 ) {
     float sun_up = max(u_sun_direction.z, 0.0);
+#ifdef PLATE
+    // a plate holds the bed's radiance in air, caustics in it: what albedo that is under this light
+    vec3 bed = clamp(3.14159265 * bed_albedo / max(sun * sun_up + sky, vec3(1e-6)), 0.0, 3.0);
+#else
     vec3 bed = bed_albedo * caustics(bed_xy, depth, pixel_m);
+#endif
     vec3 albedo = water_albedo(bed, depth, cosine, max(sun_up, 0.25));
     // the sand of the swash is dark already: it is wet (lib/ground.glsl)
-    vec3 out_of_water = mix(vec3(1.0), 0.54 / (1.0 - 0.48 * albedo), smoothstep(0.05, 0.5, still_depth));
+    vec3 out_of_water = mix(vec3(1.0), 0.54 / (1.0 - 0.48 * min(albedo, 1.0)), smoothstep(0.05, 0.5, still_depth));
     return albedo * out_of_water * (sun * sun_up * (1.0 - water_fresnel(sun_up, 0.0)) + 0.93 * sky) / 3.14159265;
 }
 

@@ -1,0 +1,37 @@
+"""The land lit before the water is drawn, and kept at half width and half height: what is seen through it (H12).
+
+Plate A is the left half of one atlas, with caustics in it; plate B, the right half, is A blurred. The sea reads both
+with views bent by its waves. The light pass then has only the sea left to light.
+"""
+
+from __future__ import annotations
+
+from ..frame import Frame
+from .sea import water_shown
+
+
+def in_use(frame: Frame) -> bool:
+    """Whether the sea is seen through plates in this picture; scenes of their own keep the one order of D01."""
+    if not water_shown(frame) or frame.view.scene:
+        return False
+    if frame.view.name.startswith("plate_"):
+        return True
+    return frame.tier.name != "low" and frame.level.settings.water.model == "plate"
+
+
+def draw(frame: Frame) -> None:
+    if not in_use(frame):
+        return
+    targets = frame.targets
+    targets.hdr.use()
+    targets.hdr.clear()
+    frame.shader("light.glsl", LAND_FIRST="").fullscreen()
+    width, height = targets.plate_size
+    targets.plates.use()
+    targets.plates.viewport = (0, 0, width, height)
+    frame.shader("plate.glsl", DOWN="").fullscreen()
+    targets.plate_half.use()
+    frame.shader("plate.glsl", ALONG="").fullscreen()
+    targets.plates.use()
+    targets.plates.viewport = (width, 0, width, height)
+    frame.shader("plate.glsl", ACROSS="").fullscreen()
