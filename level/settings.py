@@ -35,7 +35,7 @@ class Sea(Section):
     )
     variance: float = param(0.35, 0, 1, "", "How far single fronts leave their group's amplitude, length and heading.")
     phase_noise: float = param(
-        0.25, 0, 2, "", "How far a broad noise moves single crests along their way, in wavelengths.", soft=(0, 1)
+        0.15, 0, 2, "", "How far a broad noise moves single crests along their way, in wavelengths.", soft=(0, 1)
     )
     phase_noise_m: float = param(170.0, 10, 5000, "m", "Size of that noise.", soft=(50, 600))
     deep_start_m: float = param(0.5, 0, 100, "m", "Depth at which the offshore waves begin.", soft=(0, 10))

@@ -64,7 +64,7 @@ def test_what_stands_in_has_the_colours_of_what_comes():
     assert np.abs(draft - fine)[..., :3].max() < 6
 
 
-@pytest.mark.parametrize("name", ["noise", "foam", "ripple", "ground 256"])
+@pytest.mark.parametrize("name", ["noise", "foam", "ripple", "caustics", "ground 256"])
 def test_what_is_kept_on_disk_depends_on_the_patterns_code(name, monkeypatch, tmp_path):
     """All sets are made of tiling.py's patterns: other code there is another key."""
     from shorewright.renderer import textures as module
@@ -123,7 +123,7 @@ def test_coarse_ones_stand_in_until_the_fine_ones_arrive(ctx, empty_cache, monke
     gate.set()
     background.settle(TIERS["low"])
     assert background.settled
-    assert background.arrived == len(background.bytes) == 4
+    assert background.arrived == len(background.bytes) == 5
     waited = Textures(ctx)
     waited.update(TIERS["low"])
     assert waited.settled
@@ -174,7 +174,7 @@ def test_bytes_of_each_set_are_told(ctx):
     textures.update(TIERS["low"])
     texels = TIERS["low"].ground_texels
     assert textures.bytes[f"ground {texels}"] == 2 * 8 * texels**2 * 4 * 4 // 3
-    assert set(textures.bytes) == {"noise", "foam", "ripple", f"ground {texels}"}
+    assert set(textures.bytes) == {"noise", "foam", "ripple", "caustics", f"ground {texels}"}
     textures.release()
 
 
