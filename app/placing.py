@@ -1,4 +1,4 @@
-"""Objects placed where the camera looks, as menu and palette do it: one step to undo, a word of the script."""
+"""Objects placed where the camera looks, as menu and palette do it: steps to undo, words of the script."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def burst(session: Session) -> None:
 
 
 def water_table(session: Session) -> None:
-    """A table that looks like the water does now, in use from now on, to be changed stop by stop (H15)."""
+    """A table that looks like the water does now (one step), and its use from now on (another) (H15)."""
     name = free_name(session, "water")
     session.place(optics_table(name, session.level.settings.water))
     session.set("water.table", name)

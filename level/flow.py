@@ -21,6 +21,7 @@ from .shore_field import decode_direction, shore_field
 MOST_SIDE = 513  # samples a side: a current is broad
 SMOOTH_M = 6.0  # the way to the shore turns over this length, or it would show the rays of its distance field
 CALM_M = 2.0  # beside the shoreline the current dies out over this
+FADE = 0.5  # share of the shore field's range over which the current to the shore dies out
 POINT_EDGE = 0.5  # share of a flow point's radius up to which it is whole
 
 
@@ -83,7 +84,9 @@ def _shore(field, x, y, cell_m: float) -> tuple[np.ndarray, np.ndarray]:
     rows, cols = field.packed.shape[:2]
     row, col = (np.clip(np.rint(v / field.cell_m).astype(int), 0, n - 1) for v, n in ((y, rows), (x, cols)))
     distance = field.distance_m[row, col]
-    way = decode_direction(field.packed[row, col, 1:3]) * (distance > 0)[..., None]
+    # towards the end of what the field knows the current dies out, or its rim would show
+    known = np.clip((field.range_m - distance) / (FADE * field.range_m), 0, 1) * (distance > 0)
+    way = decode_direction(field.packed[row, col, 1:3]) * known[..., None]
     sigma = SMOOTH_M / cell_m
     way = np.stack([ndimage.gaussian_filter(way[..., i], sigma, mode="nearest") for i in (0, 1)], -1)
     share = ndimage.gaussian_filter((distance > 0).astype(np.float64), sigma, mode="nearest")

@@ -37,6 +37,7 @@ class ForceField:
     time_s: float
     key: tuple = ()
     state: np.ndarray = field(default_factory=lambda: np.zeros((4, SIDE, SIDE)))
+    _packed: np.ndarray | None = None
 
     @property
     def origin_m(self) -> tuple[float, float]:
@@ -45,6 +46,11 @@ class ForceField:
 
     def packed(self) -> np.ndarray:
         """What is drawn and sampled, float32 `(rows, cols, 4)`: limited, with the strength, nothing at the rim."""
+        if self._packed is None:
+            self._packed = self._pack()
+        return self._packed
+
+    def _pack(self) -> np.ndarray:
         knobs, out = self.settings, self.state.copy()
         out[:3] *= knobs.strength
         out[2] = knobs.limit_m * np.tanh(out[2] / knobs.limit_m)
@@ -68,9 +74,12 @@ class ForceField:
     def scroll(self, first: tuple[int, int]) -> None:
         """Move the window over the world by whole cells; what comes in is at rest."""
         cols, rows = (new - old for new, old in zip(first, self.first, strict=True))
+        if not (cols or rows):
+            return
+        self._packed = None
         if max(abs(cols), abs(rows)) >= SIDE:
             self.state[:] = 0
-        elif cols or rows:
+        else:
             self.state = np.roll(self.state, (-rows, -cols), (1, 2))
             self.state[:, SIDE - rows if rows > 0 else 0 : SIDE if rows > 0 else -rows] = 0
             self.state[:, :, SIDE - cols if cols > 0 else 0 : SIDE if cols > 0 else -cols] = 0
@@ -85,6 +94,7 @@ class ForceField:
             if self.time_s <= burst.time_s < self.time_s + STEP_S:
                 _burst(self.state, burst, x, y)
         _flow(self.state, self.settings)
+        self._packed = None
         self.time_s += STEP_S
 
 

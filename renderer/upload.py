@@ -143,8 +143,9 @@ class Uploader:
 
     def force(self, packed: np.ndarray | None):
         """The force field, or (None) a texel that nothing reads."""
-        if packed is not None or "u_force" not in self.textures:
+        if "u_force" not in self.textures or self.seen.get("force") is not packed:
             self._whole("u_force", np.zeros((1, 1, 4), np.float32) if packed is None else packed, "f4")
+            self.seen["force"] = packed
         return self.textures["u_force"]
 
     def _whole(self, name: str, values: np.ndarray, dtype: str) -> None:

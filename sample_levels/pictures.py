@@ -63,6 +63,30 @@ ROWS = (
     Shot("light/H11", "cove", "survey", 14.0, "noon", "shore_distance", SMALL),
 )
 
+# docs/sea.md, one picture a layer: the same shot, view by view
+SHORE = "610,345,30,30,-32"
+LAYERS = (
+    "final",
+    "wave_line",
+    "wave_back",
+    "crest_fall",
+    "shore_lift",
+    "gerstner_weight",
+    "phase_noise",
+    "plate_a",
+    "plate_b",
+    "surface_eye_depth",
+    "caustics",
+    "flow",
+    "foam",
+    "foam_shore",
+    "foam_height",
+    "foam_shadow",
+    "roughness",
+    "normal",
+)
+SEA = tuple(Shot(f"sea/{view}", "cove", SHORE, 14.0, "noon", view, "480x270") for view in LAYERS)
+
 # level: a sheet of its cameras under every environment (L08)
 SHEETS = ("cove", "island", "rock")
 ROCK = ROOT.parent / "shared" / "data" / "coasts" / "pyramidrock_hi.celeris.txt"
@@ -133,7 +157,7 @@ def draw(shot: Shot, folder: Path) -> int:
 def main() -> int:
     """Draw every shot and sheet into docs/pictures and print the path of each, one a line."""
     with tempfile.TemporaryDirectory() as folder:
-        for shot in (*SHOTS, *ROWS):
+        for shot in (*SHOTS, *ROWS, *SEA):
             code = draw(shot, Path(folder))
             if code:
                 return code

@@ -24,9 +24,6 @@ def centre(frame: Frame) -> tuple[float, float]:
 def draw(frame: Frame) -> None:
     uploader = frame.renderer.uploader
     field = force_field(frame.level, frame.time_s, centre(frame))
-    place = (0.0, 0.0, 1.0, 0.0)
-    if field is not None:
-        place = (*field.origin_m, field.settings.cell_m, 1.0)
-        uploader.force(field.packed())
-    frame.textures["u_force"] = uploader.textures["u_force"] if field else uploader.force(None)
+    frame.textures["u_force"] = uploader.force(field.packed() if field else None)
+    place = (*field.origin_m, field.settings.cell_m, 1.0) if field else (0.0, 0.0, 1.0, 0.0)
     frame.uniforms["u_force_place"] = place

@@ -100,7 +100,7 @@ void main() {
     group_swell(before, length(relative), pixel_m);
     Sea sea = sea_surface(before);
 #if !defined(HORIZON) && !defined(COARSE)
-    if (shares.x >= 1.0) onto_surface(relative, before, sea);
+    if (shares.x >= 1.0 && length(relative) < FOUND_M) onto_surface(relative, before, sea);
 #endif
     fade_surf(sea);
     float away = length(relative), eye_depth = eye_depth_of(relative);

@@ -14,6 +14,7 @@ ROUNDS = 5
 SIDE = 4097
 LIT = ("terrain", "scatter", "contact", "light", "sky", "fog")  # what land and light cost every frame
 MOST_TRIANGLES = 150_000
+SEA_LIMITS = {"low": 8.0, "medium": 25.0, "high": 60.0}  # Y
 COVE = Path(__file__).parents[2] / "sample_levels" / "cove.shore"
 YARDSTICK = Path(__file__).with_name("yardstick.glsl")
 NAMES = (
@@ -30,6 +31,10 @@ NAMES = (
     "start: a renderer from its cache / without",
     "liveness: stroke to finished picture / picture without a change",
     "liveness: stroke's end to finished picture / picture without a change",
+    "the sea at the beach: low",
+    "the sea at the beach: medium",
+    "the sea at the beach: high",
+    "the sea under 64 lamps / under none",
 )
 
 
@@ -114,6 +119,39 @@ def passes(renderer) -> list[dict]:
     lit = max(sum(place[name] for name in LIT) for place in places) / unit
     note = f"Y; {', '.join(LIT)}, the dearer of play and survey; maps that are kept (shadows, open sky, mirrors) apart"
     rows.append({"name": NAMES[5], "ratio": lit, "limit": 12.0, "note": note})
+    return rows
+
+
+def sea(renderer) -> list[dict]:
+    """What the sea adds to a picture at the beach, every row on; and what 64 lamps add with it and without it."""
+    from shorewright.io import read_level
+    from shorewright.level.objects import Disturbance, Mover, PointLight
+    from shorewright.renderer.show import Show
+
+    level, dry = read_level(COVE), Show.hide("water")
+    camera = level.camera("beach")
+    x, y = camera.x, camera.y
+    level.put_object("mover", Mover(id="mover", x=x + 12, y=y - 12))
+    level.put_object("burst", Disturbance(id="burst", x=x + 20, y=y - 15, time_s=11.0))
+    yardstick, rows = Yardstick(renderer.ctx, SIZE), []
+    unit = min(yardstick.seconds() for _ in range(3))
+
+    def seconds(quality, show=None):
+        return best(renderer.ctx, lambda: renderer.draw(level, camera, SIZE, 12.0, show=show, quality=quality), 3)
+
+    for quality, limit in SEA_LIMITS.items():
+        wet, bare = seconds(quality), seconds(quality, dry)
+        note = f"Y = {unit * 1e3:.1f} ms; picture {wet / unit:.1f} Y with the sea, {bare / unit:.1f} Y without"
+        rows.append(
+            {"name": f"the sea at the beach: {quality}", "ratio": (wet - bare) / unit, "limit": limit, "note": note}
+        )
+    own = seconds("medium") - seconds("medium", dry)
+    for n in range(64):
+        place = {"x": x + 5.0 * (n % 8), "y": y - 5.0 * (n // 8), "z": 3.0}
+        level.put_object(f"l{n}", PointLight(id=f"l{n}", **place, orbit_m=2.0))
+    lit = seconds("medium") - seconds("medium", dry)
+    note = f"{lit / unit:.1f} Y more with the sea than without, under 64 lamps; {own / unit:.1f} Y under none"
+    rows.append({"name": "the sea under 64 lamps / under none", "ratio": lit / own, "limit": 1.1, "note": note})
     return rows
 
 
@@ -253,7 +291,7 @@ def run() -> list[dict]:
     ctx = own_context()
     renderer = Renderer(ctx)
     try:
-        rows = passes(renderer) + liveness(renderer)
+        rows = passes(renderer) + sea(renderer) + liveness(renderer)
         level = large_level()
         return rows + triangles(renderer, level) + uploads(renderer, level) + start(ctx)
     finally:

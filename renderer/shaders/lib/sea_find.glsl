@@ -5,6 +5,7 @@
 uniform float u_swell_length_m, u_chop_length_m;
 const int REFINEMENTS = 3, STEPS = 12, HALVINGS = 10;
 const float MOST_REFINED_M = 1.5, NEAR_ENOUGH_M = 0.02;
+const float FOUND_M = 150.0;  // beyond, a pixel is wider than what the mesh is off
 const float SEARCH_M = 120.0;  // up to here the drawn surface is the twin's within 3 cm
 const float GROUP_TILE = 14.0;  // side of the noise by which the swell comes in groups, in wavelengths
 
