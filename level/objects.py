@@ -53,6 +53,22 @@ class FlowPoint(Placed):
     radius_m: float = param(80.0, 1, 20_000, "m", "How far it reaches.", soft=(10, 500))
 
 
+class ViewCircle(Placed):
+    """How far the sea is seen from an extreme viewpoint: the mesh covers all of these circles (H01)."""
+
+    kind: Literal["view_circle"] = "view_circle"
+    radius_m: float = param(400.0, 10, 20_000, "m", "View distance from there.", soft=(50, 1000))
+
+
+class SeaPatch(Placed):
+    """What the hectare of sea round a point is, whatever the distance to the shore says (H01, H27)."""
+
+    kind: Literal["sea_patch"] = "sea_patch"
+    sea: Literal["open", "coastal", "beach", "removed"] = param(
+        "removed", doc="Kind of sea there; removed: none is drawn."
+    )
+
+
 class WaterTable(Placed):
     """What metres of water do to light, as gradient stops (H15); `water.table` names the one in use."""
 
@@ -92,6 +108,32 @@ class PointLight(Placed):
         return self.x + self.orbit_m * math.sin(turn), self.y + self.orbit_m * math.cos(turn), self.z
 
 
+class Prop(Placed):
+    """A mesh that stands in the level, or floats (D12). Its mesh lies in the level's folder."""
+
+    kind: Literal["prop"] = "prop"
+    mesh: str = Field("", max_length=200, description="Name of its mesh among those of the level.")
+    z: float = param(0.0, -1e5, 1e5, "m", "Height of its origin; a floating thing finds its own.")
+    yaw_deg: float = param(0.0, -360, 360, "°", "Turned about the vertical, clockwise from north.")
+    pitch_deg: float = param(0.0, -90, 90, "°", "Bow up.")
+    roll_deg: float = param(0.0, -180, 180, "°", "Heeled to the right.")
+    scale: float = param(1.0, 0.001, 1000, "×", "Size.", soft=(0.1, 10))
+    floats: bool = param(False, doc="It floats on the waves.")
+    density: float = param(
+        0.45, 0.02, 1.5, "", "Its weight against that of the water its hull box holds.", soft=(0.1, 1)
+    )
+    drifts: bool = param(False, doc="The current takes it along; else it stays at its mooring.")
+    ripples: bool = param(True, doc="It draws rings on the water.")
+
+
+class Hit(Placed):
+    """Something small that struck the water at one moment and drew a ring (H19)."""
+
+    kind: Literal["hit"] = "hit"
+    time_s: float = param(0.0, 0, 1e7, "s", "When it struck.")
+    size: float = param(1.0, 0.01, 20, "×", "How hard.", soft=(0.1, 4))
+
+
 class Mover(Placed):
     """Something that wades in a circle and stirs the water (D18)."""
 
@@ -101,7 +143,9 @@ class Mover(Placed):
     radius_m: float = param(0.6, 0.1, 20, "m", "How broad it is.", soft=(0.2, 4))
 
 
-_KINDS = (Camera, SeaSeed, Disturbance, FlowPoint, WaterTable, PointLight, Mover)
+_KINDS = (
+    Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaterTable, PointLight, Prop, Hit, Mover,
+)  # fmt: skip
 OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]
 OBJECT = TypeAdapter(Object)

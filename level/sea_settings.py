@@ -68,6 +68,16 @@ class Quiet(Section):
 
     foam: float = param(0.8, 0, 1, "", "How much foam is held down there.")
     flow: float = param(0.6, 0, 1, "", "How much the flow is held down there.")
-    highlight: float = param(0.8, 0, 1, "", "How much the highlight is held down in a quiet middle.")
+    force: float = param(0.8, 0, 1, "", "How much what wades and bursts is held down there.")
+    highlight: float = param(0.8, 0, 1, "", "How much the highlight is held down there and in a quiet middle.")
     centre: float = param(0.0, 0, 1, "", "How strongly the middle of the picture is kept free of highlight.")
     centre_size: float = param(0.33, 0.05, 1, "", "Share of the picture's sides that counts as its middle.")
+
+
+class Things(Section):
+    """Props that stand or float in the level, and the rings drawn on the water (D12, H19)."""
+
+    on: bool = param(True, doc="Draw props.")
+    drag: float = param(0.35, 0, 4, "1/s", "How fast a floating thing takes on the speed of the water.", soft=(0, 2))
+    rings: float = param(1.0, 0, 4, "×", "Strength of the rings that hits and floating things draw.", soft=(0, 2))
+    ring_s: float = param(3.0, 0.2, 30, "s", "Time in which a ring fades to a third.", soft=(0.5, 8))

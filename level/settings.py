@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from .params import Section, param
-from .sea_settings import Caustics, Flow, Foam, Force, Glare, Quiet
+from .sea_settings import Caustics, Flow, Foam, Force, Glare, Quiet, Things
 
 
 class WaterLevel(Section):
@@ -39,6 +39,13 @@ class Sea(Section):
         0.15, 0, 2, "", "How far a broad noise moves single crests along their way, in wavelengths.", soft=(0, 1)
     )
     phase_noise_m: float = param(170.0, 10, 5000, "m", "Size of that noise.", soft=(50, 600))
+    mesh: Literal["auto", "grid", "tessellated"] = param(
+        "auto", doc="How the surface is made: by the renderer's choice, from grids, or tessellated on the GPU."
+    )
+    near_m: float = param(120.0, 20, 2000, "m", "Up to here the surface is as fine as it gets.", soft=(40, 400))
+    falloff: float = param(1.6, 1, 4, "", "How much faster than linear the surface coarsens beyond.", soft=(1, 3))
+    coastal_m: float = param(60.0, 5, 140, "m", "From the shore to here the sea follows the coast.", soft=(20, 120))
+    beach_m: float = param(18.0, 1, 100, "m", "From the shore to here the sea touches the beach.", soft=(5, 40))
     deep_start_m: float = param(0.5, 0, 100, "m", "Depth at which the offshore waves begin.", soft=(0, 10))
     deep_full_m: float = param(9.0, 0.1, 400, "m", "Depth at which the offshore waves have their full height.")
 
@@ -70,6 +77,12 @@ class Shore(Section):
     stagger: float = param(
         0.0, 0, 2, "", "How far waves arrive earlier or later along the shore, in intervals.", soft=(0, 1)
     )
+    sway: float = param(
+        0.12, 0, 1, "", "How far waves come earlier and later along the shore in a regular rhythm, in intervals.",
+        soft=(0, 0.5),
+    )  # fmt: skip
+    sway_m: float = param(60.0, 5, 2000, "m", "Length of that rhythm along the shore.", soft=(20, 200))
+    slide: bool = param(True, doc="The sheet slides on the beach: the surface never dips below the sand (H10).")
     monotone: bool = param(True, doc="Fronts pass a bar once: the clock reads the least depth on the way from the sea.")
     smooth_m: float = param(2.0, 0, 100, "m", "How far the clock's bed is smoothed, so that pebbles bend no front.")
     distance_range_m: float = param(
@@ -102,6 +115,7 @@ class Water(Section):
     dispersion: float = param(0.0, 0, 1, "", "How differently red, green and blue are bent.", soft=(0, 0.3))
     table: str = param("", doc="Name of the water table in use; empty: what this section says.")
     bend: float = param(1.0, 0, 4, "×", "How far waves bend what is seen through them.", soft=(0, 2))
+    reflections: float = param(1.0, 0, 1, "", "How clearly the coast is mirrored.")
 
 
 class Light(Section):
@@ -204,6 +218,7 @@ class Settings(Section):
     glare: Glare = Glare()
     force: Force = Force()
     quiet: Quiet = Quiet()
+    things: Things = Things()
     light: Light = Light()
     fog: Fog = Fog()
     ground: Ground = Ground()
