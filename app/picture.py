@@ -9,6 +9,7 @@ from typing import Any
 
 from ..level import LAYERS
 from ..renderer import VIEWS
+from ..renderer.memory import gpu_memory
 from .editor import Editor
 from .governor import Governor
 
@@ -171,12 +172,10 @@ class Picture:
         held = {"other": 0, "generated": 0}
         if self.renderer is None:
             return held
-        held["generated"] = sum(self.renderer.generated.bytes.values())
-        maps = (("", texture) for texture in self.renderer.map_textures())
-        for name, texture in [*self.renderer.uploader.textures.items(), *maps]:
-            layer = "height" if name == "u_height" else name.removeprefix("u_layer_")
-            layer = layer if layer in LAYERS else "other"
-            held[layer] = held.get(layer, 0) + _texture_bytes(texture)
+        for row in gpu_memory(self.renderer):
+            layer = "height" if row.name == "u_height" else row.name.removeprefix("u_layer_")
+            group = "generated" if row.kind == "generated" else layer if layer in LAYERS else "other"
+            held[group] = held.get(group, 0) + row.bytes
         return held
 
     def release(self) -> None:
@@ -187,8 +186,3 @@ class Picture:
                 renderer.release()
             except Exception as error:
                 log.info("releasing the renderer: %s", error)
-
-
-def _texture_bytes(texture) -> int:
-    sample = {"f1": 1, "f2": 2, "f4": 4}.get(texture.dtype, 4)
-    return texture.width * texture.height * getattr(texture, "components", 1) * sample

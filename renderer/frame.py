@@ -238,12 +238,6 @@ class Renderer:
         texture.use(0)
         shader.fullscreen()
 
-    def map_textures(self) -> list:
-        """Textures of targets, and of the maps that passes keep: shadows, open sky, mirrors."""
-        owners = [t for held in self.kept.values() for t in (held.values() if isinstance(held, dict) else [held])]
-        maps = [t for owner in owners for t in getattr(owner, "textures", [getattr(owner, "texture", None)]) if t]
-        return [*maps, *(t for owner in self.targets.values() for t in owner.textures.values())]
-
     def release(self) -> None:
         """Give back everything on the GPU."""
         for part in (self.programs, self.uploader, self.generated, self.sky):

@@ -218,7 +218,8 @@ def test_render(place, ctx):
         "--set", "shore.interval_s=3", "--set", "sea.swell_m=0", "--hide", "fog,shadows",
     )  # fmt: skip
     assert frames.stdout.split() == ["f_0001.png", "f_0002.png", "f_0003.png"], frames.stderr
-    one = subprocess_run("render", "beach.shore", "-o", "g.png", *small, "--frames", "1")
+    one = subprocess_run("render", "beach.shore", "-o", "g.png", *small, "--frames", "1", "--memory")
+    assert all(name in one.stdout for name in ("g_albedo", "u_plates", "u_height", "MB in"))
     assert one.stdout == "g_0001.png\n"  # a list of one is still numbered
     exr = subprocess_run("render", "beach.shore", "-o", "b.exr", *small, "--view", "position", "--time", "7")
     assert exr.returncode == 0, exr.stderr

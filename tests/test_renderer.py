@@ -8,6 +8,7 @@ from shorewright.level.objects import Camera
 from shorewright.level.shore import shore_map
 from shorewright.renderer import Renderer, Show, camera_matrices, pick, render
 from shorewright.renderer.camera import jitter
+from shorewright.renderer.memory import gpu_memory
 from shorewright.renderer.upload import Uploader
 
 pytestmark = pytest.mark.gl
@@ -244,11 +245,12 @@ def test_maps_that_are_kept_are_told(ctx):
     """What the memory table counts: three maps of the land's shadow, the open sky, shadows of things, the mirror."""
     renderer = Renderer(ctx)
     render(coast(), camera(), (32, 18), 1.0, renderer=renderer)
-    sizes = [texture.size for texture in renderer.map_textures()]
-    (shadow,) = renderer.kept["shadows"].values()
-    assert sizes.count(shadow.size) >= 3
-    assert renderer.kept["lobes"].texture.size in sizes
-    assert (2 * 1024, 1024) in sizes
-    assert (32, 18) in sizes
+    held = gpu_memory(renderer)
+    names = [row.name for row in held if row.kind == "kept"]
+    assert names.count("shadowmap") == 3
+    assert {"lobes", "opennessmap"} <= set(names)
+    (props,) = [row for row in held if row.name == "propmap"]
+    assert props.layout == "2048 × 1024, depth"
+    assert props.bytes == 4 * 2048 * 1024
     renderer.release()
-    assert renderer.map_textures() == []
+    assert gpu_memory(renderer) == []

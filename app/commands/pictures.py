@@ -9,7 +9,7 @@ from cyclopts import Parameter
 
 from ...level.errors import BadInput
 from ...level.params import replace
-from .common import LevelPath, assignment, finite, numbers, progress, put_notes, size, writable_parent
+from .common import LevelPath, assignment, finite, numbers, progress, put, put_notes, put_table, size, writable_parent
 
 SUFFIXES = (".png", ".jpg", ".exr")
 
@@ -35,6 +35,7 @@ def render(
     ] = None,
     frames: Annotated[int | None, Parameter(help="How many numbered pictures, NAME_0001.png and on.")] = None,
     fps: Annotated[float, Parameter(allow_leading_hyphen=True, help="Pictures a second of level time.")] = 30.0,
+    memory: Annotated[bool, Parameter(negative="", help="Also list what it took of the GPU, by target.")] = False,
 ) -> int:
     """Draw a level into a PNG or EXR.
 
@@ -49,7 +50,10 @@ def render(
     found = _level(level, environment, assignments)
     options |= look(view, hide)
     other = compared(found, against, hide) if against else None
-    return _draw(found, _camera(found, camera), output, times, frames is not None, options, other)
+    _draw(found, _camera(found, camera), output, times, frames is not None, options, other)
+    if memory:
+        _put_memory()
+    return 0
 
 
 def _times(start: float, frames: int | None, fps: float) -> list[float]:
@@ -119,7 +123,7 @@ def compared(level, words: list[str], hide: list[str] | None) -> tuple:
     return other, look_of
 
 
-def _draw(level, camera, output: Path, times, numbered: bool, options: dict, other: tuple | None = None) -> int:
+def _draw(level, camera, output: Path, times, numbered: bool, options: dict, other: tuple | None = None) -> None:
     from ...io.images import write_image
     from ...renderer.offscreen import compare
     from ...renderer.offscreen import render as picture
@@ -133,4 +137,13 @@ def _draw(level, camera, output: Path, times, numbered: bool, options: dict, oth
             write_image(path, pixels)
             tell(number, len(times))
             tell.put(str(path))
-    return 0
+
+
+def _put_memory() -> None:
+    """The textures behind the picture last drawn, and their sum."""
+    from ...renderer.memory import gpu_memory
+    from ...renderer.offscreen import own_renderer
+
+    rows = gpu_memory(own_renderer())
+    put_table([(row.kind, row.name, row.layout, f"{row.bytes / 1e6:.2f} MB") for row in rows])
+    put(f"{sum(row.bytes for row in rows) / 1e6:.1f} MB in {len(rows)} textures")
