@@ -219,8 +219,9 @@ def test_render(place, ctx):
     )  # fmt: skip
     assert frames.stdout.split() == ["f_0001.png", "f_0002.png", "f_0003.png"], frames.stderr
     one = subprocess_run("render", "beach.shore", "-o", "g.png", *small, "--frames", "1", "--memory")
-    assert all(name in one.stdout for name in ("g_albedo", "u_plates", "u_height", "MB in"))
-    assert one.stdout == "g_0001.png\n"  # a list of one is still numbered
+    told, *memory = one.stdout.splitlines()
+    assert told == "g_0001.png"  # a list of one is still numbered
+    assert all(any(name in line for line in memory) for name in ("g_albedo", "u_plates", "u_height", "MB in"))
     exr = subprocess_run("render", "beach.shore", "-o", "b.exr", *small, "--view", "position", "--time", "7")
     assert exr.returncode == 0, exr.stderr
     from shorewright.io.images import read_image
