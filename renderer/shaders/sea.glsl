@@ -125,7 +125,9 @@ void main() {
     vec4 current = current_at(before), force = force_at(sea.position.xy);
     current.rg += force.xy;
     stirred = force.w;
-    Foam foam = sea_foam(sea, before, column, sharp.x, painted, current, u_show_procedural_foam, pixel_m);
+    // a wave's face is seen straighter than the plane: what lies on it is neither blurred nor stretched like the plane's
+    float face_m = min(pixel_m, pixel_metres(relative, sea.normal));
+    Foam foam = sea_foam(sea, on_face(before, sea), column, sharp.x, painted, current, u_show_procedural_foam, face_m);
 
     vec4 land = below(normal, eye_depth, away);
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);

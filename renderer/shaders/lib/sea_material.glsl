@@ -23,6 +23,13 @@ vec2 surface_flow(Sea sea) {
     return uphill / steep * (broken * mix(-0.25, 0.9, clamp(sea.shore.line + sea.shore.fall, 0.0, 1.0)));
 }
 
+// Where foam lies on a shore wave: carried on by as much as the wave stands there, so that it is not drawn out down its
+// face, and goes to and fro with the wave as the water does.
+vec2 on_face(vec2 before, Sea sea) {
+    vec2 uphill = -sea.bed.smoothed.yz;
+    return before - uphill / max(length(uphill), 1e-4) * max(sea.shore.lift.x, 0.0);
+}
+
 // The falling crest: a bright line some metres wide that topples over the face, lower the further the wave has broken
 // (D04). `down_m` counts from the top of the wave over its face, `to_m` turns shares of the range into metres.
 float crest_foam(ShoreMasks m, float to_m, float down_m, float broken, float tear) {
