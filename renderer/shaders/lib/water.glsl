@@ -101,7 +101,7 @@ vec3 water_crest_light(float lift01, vec3 normal, vec3 to_eye, vec3 to_sun) {
     float into_sun = saturate(-0.1 - 1.1 * dot(sun, eye));
     // the face that looks at the eye; its back looks at the sun
     float face = smoothstep(0.02, 0.40, dot(normal.xy, eye));
-    float grazing = saturate(1.2 - to_eye.z);
+    float grazing = saturate(1.15 - 1.3 * max(to_eye.z, 0.0));  // little of it turns up
     float low_sun = saturate(1.25 - to_sun.z) * smoothstep(-0.02, 0.06, to_sun.z);
     float thin = smoothstep(0.05, 0.9, lift01);
     float amount = into_sun * face * grazing * low_sun * thin;
