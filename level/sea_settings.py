@@ -38,6 +38,7 @@ class Foam(Section):
     height_high: float = param(0.95, -1, 1.5, "", "Height at which it is whole.", soft=(0, 1.2))
     transient: float = param(1.0, 0, 2, "×", "Painted foam that comes and goes with the waves.")
     constant: float = param(1.0, 0, 2, "×", "Painted foam that is always there.")
+    albedo: float = param(1.0, 0, 1, "", "How white foam is; 0 leaves its roughness alone (D09).")
     roughness: bool = param(True, doc="Foam scatters light; off, it is as smooth as the water (D09).")
     shadow: float = param(0.6, 0, 1, "", "How dark the shade of foam is on what lies below.")
     shadow_limit_m: float = param(2.5, 0, 20, "m", "How far from the foam it falls at most.", soft=(0, 6))

@@ -15,6 +15,7 @@ BOUNDS = (
     ("foam", 0.3, 0.01, 0.6),
     ("flow_speed", 0.05, 0.1, 1.0),
 )
+SHORE_M = {"sand": 140, "cove": 200, "flat": 140}  # north, where x is 128
 
 
 def coast(kind: str) -> Level:
@@ -42,6 +43,10 @@ def test_every_mask_covers_its_share(kind, renderer):
     for view, threshold, least, most in BOUNDS:
         shares = [(seen(view, t)[sea] > threshold).mean() for t in (4.0, 7.0)]
         assert least < np.mean(shares) < most, (view, shares)
+    close = ABOVE.model_copy(update={"y": SHORE_M[kind] - 28, "z": 9, "pitch_deg": -40})
+    lines = render(level, close, (160, 120), 4.0, "caustics", quality="low", linear=True, renderer=renderer)[..., 0]
+    bed = lines > 0
+    assert 0.02 < (lines[bed] > 0.36).mean() < 0.6  # the mean is 0.3
     sand = ~sea
     wet = seen("wetness", 4.0)[sand]
     assert 0.005 < (wet > 0.5).mean() < 0.85  # the swash crosses a flat nearly all the way

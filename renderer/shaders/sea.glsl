@@ -60,6 +60,7 @@ uniform float u_water_roughness, u_water_specular;
 uniform vec2 u_wave_slope;  // mean square slope of swell and chop
 const float FARTHEST_M = 4e6;  // where the plane ends for float32's sake
 uniform bool u_show_procedural_foam, u_show_painted_foam, u_foam_roughness;
+uniform float u_foam_albedo;
 #ifndef HORIZON
 in vec2 v_before;
 in vec3 v_relative;
@@ -134,6 +135,8 @@ void main() {
     float depth = land.w * water_cosine(cosine) * abs(to_eye.z);
     float thin = smoothstep(0.0, 0.03, land.w);  // D02: at its edge the water blends with what lies below
     foam.cover *= thin;
+    float rough = u_foam_roughness ? foam.cover : 0.0;  // D09: brightness and roughness, each by its own switch
+    foam.cover *= u_foam_albedo;
     float roughness = water_roughness(u_water_roughness * mix(0.6, 1.0, rippled), lost);
     vec3 sun = sun_radiance() * sun_visibility(position), sky = sky_irradiance(vec3(0.0, 0.0, 1.0));
     vec2 bed_xy = before - to_eye.xy * land.w;
@@ -147,7 +150,7 @@ void main() {
     vec3 crest = water_crest_light(max(sea.height01 * sharp.x, body), normal, to_eye, u_sun_direction) * sun;
     from_below = from_below * (1.0 - foam.cover) + crest * (1.0 - 0.55 * foam.cover);
     from_below *= 1.0 - water_fresnel(cosine, roughness) * (1.0 - foam.cover);
-    if (u_foam_roughness) roughness = mix(roughness, FOAM_ROUGHNESS, foam.cover);  // D09
+    roughness = mix(roughness, FOAM_ROUGHNESS, rough);
     write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness,
                           u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
 }

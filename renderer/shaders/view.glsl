@@ -46,6 +46,21 @@ vec3 crest_light(Sea sea, Surface s, vec3 relative) {
     return water_crest_light(max(sea.height01, wave_body(sea, 1.0)), s.normal, -normalize(relative), u_sun_direction);
 }
 
+// Foam as sea.glsl finds it, with the painted layers.
+Foam view_foam(Sea sea, vec2 before, vec3 position, float pixel_m) {
+    vec4 current = current_at(before), force = force_at(sea.position.xy);
+    current.rg += force.xy;
+    stirred = force.w;
+    return sea_foam(sea, on_face(before, sea), water_column(sea, position.z), 1.0,
+                    layer_at(u_layer_foam, before, u_cell_m).rg, current, true, pixel_m);
+}
+
+// The three densities as they are packed, where the current has them.
+vec4 foam_density(vec2 before, float pixel_m) {
+    float lee, lod = max(log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4)), 0.0);
+    return foam_fields(before, current_at(before).rg, u_sun_direction.xy, lod, lee);
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = read_gbuffer(pixel);
