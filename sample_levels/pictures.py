@@ -87,17 +87,44 @@ LAYERS = (
 )
 SEA = tuple(Shot(f"sea/{view}", "cove", SHORE, 14.0, "noon", view, "480x270") for view in LAYERS)
 
+# Three coasts in three moods. Environments set light and air; what the sea does in them is said here.
+CALM = {
+    "light.sun_azimuth_deg": 95.0, "light.sun_elevation_deg": 14.0, "light.exposure_ev": 12.9, "sea.wind_mps": 2.0,
+    "sea.swell_m": 0.12, "sea.chop_m": 0.025, "shore.height_m": 0.45, "shore.interval_s": 8.0, "shore.runup": 0.08,
+    "foam.shore": 0.2,
+}  # fmt: skip
+STORM = {
+    "sea.swell_m": 1.7, "sea.swell_length_m": 95.0, "sea.swell_steepness": 0.75, "sea.chop_m": 0.22,
+    "sea.chop_length_m": 11.0, "shore.height_m": 2.3, "shore.interval_s": 11.0, "shore.range_m": 8.0,
+    "foam.shore": 0.8, "foam.shore_far_m": 70.0, "foam.height": 0.8, "foam.height_low": 0.3, "foam.height_high": 0.8,
+    "water.silt": 8.0, "water.plankton": 0.1,
+}  # fmt: skip
+SUNSET = {"light.sun_azimuth_deg": 262.0, "light.sun_elevation_deg": 5.0, "light.exposure_ev": 12.0}
+MOODS = tuple(
+    Shot(f"mood/{level}-{mood}", level, camera, 14.3, environment, size=SMALL, settings=settings)
+    for level, cameras in {
+        "cove": ("560,432,5,250,-5", "590,400,4,130,-3", "560,440,30,262,-18"),
+        "island": ("beach", "665,222,3,320,-4", "beach"),
+        "rock": ("beach", "beach", "beach"),
+    }.items()
+    for camera, (mood, environment, settings) in zip(
+        cameras, (("calm", "", CALM), ("storm", "storm", STORM), ("sunset", "golden_hour", SUNSET)), strict=True
+    )
+)
+
 # level: a sheet of its cameras under every environment (L08)
 SHEETS = ("cove", "island", "rock")
 ROCK = ROOT.parent / "shared" / "data" / "coasts" / "pyramidrock_hi.celeris.txt"
 ROCK_FLAGS = ("--cell-m", "2x1", "--rows", "south-first")
 
 
-def level_of(name: str, folder: Path) -> Path:
-    """A sample level; `NAME+session` is a copy in `folder` sculpted by the recorded session."""
+def level_of(name: str, folder: Path) -> Path | None:
+    """A sample level, or `rock`; `NAME+session` is a copy in `folder` sculpted by the recorded session."""
     from shorewright.app.cli import main as shorewright
 
     name, _, session = name.partition("+")
+    if name == "rock":
+        return rock(folder)
     source = ROOT / "sample_levels" / f"{name}.shore"
     if not session:
         return source
@@ -114,9 +141,11 @@ def rock(folder: Path) -> Path | None:
     from shorewright.app.cli import main as shorewright
 
     if not ROCK.is_file():
-        sys.stdout.write(f"no sheet of Pyramid Rock: {ROCK} is not there\n")
+        sys.stdout.write(f"no picture of Pyramid Rock: {ROCK} is not there\n")
         return None
     level = folder / "rock.shore"
+    if level.exists():
+        return level
     with contextlib.redirect_stdout(StringIO()):  # pictures only
         code = shorewright(["new", str(level), "--from", str(ROCK), *ROCK_FLAGS])
     if code:
@@ -129,7 +158,7 @@ def draw_sheets(folder: Path) -> int:
     from shorewright.app.cli import main as shorewright
 
     for name in SHEETS:
-        level = rock(folder) if name == "rock" else level_of(name, folder)
+        level = level_of(name, folder)
         if level is not None:
             code = shorewright(
                 ["sheet", str(level), "-o", str(PICTURES / f"sheet-{name}.jpg"), "--cameras", "play,beach,survey",
@@ -144,12 +173,14 @@ def draw(shot: Shot, folder: Path) -> int:
     """One shot into docs/pictures."""
     from shorewright.app.cli import main as shorewright
 
-    path = PICTURES / f"{shot.name}.jpg"
+    level, path = level_of(shot.level, folder), PICTURES / f"{shot.name}.jpg"
+    if level is None:
+        return 0
     path.parent.mkdir(parents=True, exist_ok=True)
     sets = [word for key, value in shot.settings.items() for word in ("--set", f"{key}={value}")]
     light = ["--environment", shot.environment] if shot.environment else []
     return shorewright(
-        ["render", str(level_of(shot.level, folder)), "-o", str(path), "--camera", shot.camera, "--view", shot.view,
+        ["render", str(level), "-o", str(path), "--camera", shot.camera, "--view", shot.view,
          "--time", str(shot.time_s), "--size", shot.size, "--samples", "4", *light, *sets]
     )  # fmt: skip
 
@@ -157,7 +188,7 @@ def draw(shot: Shot, folder: Path) -> int:
 def main() -> int:
     """Draw every shot and sheet into docs/pictures and print the path of each, one a line."""
     with tempfile.TemporaryDirectory() as folder:
-        for shot in (*SHOTS, *ROWS, *SEA):
+        for shot in (*SHOTS, *ROWS, *SEA, *MOODS):
             code = draw(shot, Path(folder))
             if code:
                 return code
