@@ -3,8 +3,8 @@
 #include "lib/noise.glsl"
 
 uniform float u_swell_length_m, u_chop_length_m;
-const int REFINEMENTS = 3, STEPS = 12, HALVINGS = 10;
-const float MOST_REFINED_M = 1.5, NEAR_ENOUGH_M = 0.02;
+const int REFINEMENTS = 3, STEPS = 12, CLOSER = 8;
+const float MOST_REFINED_M = 1.5, REFINED_FROM_M = 50.0, NEAR_ENOUGH_M = 0.02, CLOSE_M = 0.005, ENOUGH_M = 0.015;
 const float FOUND_M = 150.0;  // beyond, a pixel is wider than what the mesh is off
 const float SEARCH_M = 120.0;  // up to here the drawn surface is the twin's within 3 cm
 const float GROUP_TILE = 14.0;  // side of the noise by which the swell comes in groups, in wavelengths
@@ -30,27 +30,45 @@ float above_wave(vec3 start, vec3 along, float way, inout vec2 before, out Sea s
     return point.z + u_camera.z - sea.position.z + dot(sea.normal.xy, off) / max(sea.normal.z, 0.1);
 }
 
-// Steep waves: look along the ray for where it goes under, then halve. False where it passes over the wave.
+// How far off the mesh may be, along the ray: its cells grow with the distance.
+float most_refined(float away) { return MOST_REFINED_M * max(away / REFINED_FROM_M, 1.0); }
+
+// Steep waves: look along the ray for where it goes under, then between by regula falsi, the end that stays at half its
+// weight (the Illinois rule, Dowell & Jarratt 1971). False where it passes over the wave.
 bool search_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
     vec3 start = relative, along = normalize(relative);
-    float low = -MOST_REFINED_M, high = MOST_REFINED_M;
-    vec2 at = before + along.xy * low, found = at;
-    float first = above_wave(start, along, low, at, sea);
+    float low = -most_refined(length(start)), high = low, step_m = -2.0 * low / float(STEPS), low_above, high_above;
+    vec2 at = before + along.xy * low;
+    low_above = above_wave(start, along, low, at, sea);
     bool crossed = false;
-    for (int i = 1; i <= STEPS + HALVINGS; ++i) {
-        bool searching = !crossed && i <= STEPS;
-        if (!crossed && !searching) break;
-        float way = searching ? MOST_REFINED_M * (2.0 * float(i) / float(STEPS) - 1.0) : 0.5 * (low + high);
-        at = searching ? at + along.xy * (2.0 * MOST_REFINED_M / float(STEPS)) : at;
-        bool over = above_wave(start, along, way, at, sea) * first > 0.0;
-        if (over) low = way;
-        else high = way;
-        crossed = crossed || !over;
+    for (int i = 1; i <= STEPS && !crossed; ++i) {
+        at += along.xy * step_m;
+        high = low + step_m;
+        high_above = above_wave(start, along, high, at, sea);
+        crossed = high_above * low_above <= 0.0;
+        if (!crossed) {
+            low = high;
+            low_above = high_above;
+        }
     }
-    float way = 0.5 * (low + high);
+    if (!crossed) return false;
+    float way = high, above = high_above;
+    for (int i = 0; i < CLOSER && abs(above) > CLOSE_M; ++i) {
+        way = mix(low, high, clamp(low_above / (low_above - high_above), 0.05, 0.95));
+        above = above_wave(start, along, way, at, sea);
+        if (above * low_above > 0.0) {
+            low = way;
+            low_above = above;
+            high_above *= 0.5;
+        } else {
+            high = way;
+            high_above = above;
+            low_above *= 0.5;
+        }
+    }
     relative = start + along * way;
     before = at;
-    return crossed && abs(above_wave(start, along, way, at, sea)) < NEAR_ENOUGH_M;
+    return abs(above) < NEAR_ENOUGH_M;
 }
 
 // The mesh is off the wave by its curvature between vertices: go along the pixel's ray to where it meets the plane that
@@ -58,14 +76,15 @@ bool search_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
 void onto_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
     vec3 start = relative, along = normalize(relative);
     vec2 first = before;
+    float most_m = most_refined(length(start));
     for (int i = 0; i < REFINEMENTS; ++i) {
         float grazing = dot(along, sea.normal);
         float way = dot(sea.position - u_camera - relative, sea.normal) / (abs(grazing) > 0.02 ? grazing : 0.02);
         vec3 there = relative + along * way;
-        if (length(there - start) > MOST_REFINED_M || abs(grazing) <= 0.02 || dot(there, u_forward) <= 0.0) break;
+        if (length(there - start) > most_m || abs(grazing) <= 0.02 || dot(there, u_forward) <= 0.0) break;
         before += there.xy - (sea.position.xy - u_camera.xy);
         relative = there;
-        if (abs(way) < 2e-3) return;
+        if (abs(way) < ENOUGH_M) return;
         sea = sea_surface(before);
     }
     relative = start;
