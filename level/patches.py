@@ -1,7 +1,7 @@
 """Hectare patches of the sea: where its mesh is and what kind of sea each of them holds (Hitman talk, H01, H27).
 
-Patches are 100 × 100 m, fixed to the world with a corner at (0, 0), cut on a grid of 10 m. Kinds follow from the shore by
-themselves and then change nothing that is drawn; a `sea_patch` object overrides its hectare and does. The twin of
+Patches are 100 × 100 m, fixed to the world with a corner at (0, 0), cut on a grid of 10 m. By themselves kinds follow
+from the shore and change nothing that is drawn; a `sea_patch` object overrides its hectare and does. The twin of
 `patch_shore` and `beach_contact` is shaders/patches.glsl.
 """
 
@@ -19,6 +19,7 @@ from .shore_field import shore_field
 
 PATCH_M, BASE_M = 100.0, 10.0
 FADE_M = 20.0  # round an overridden patch, over which waves come back
+MOST_RING = 100  # hectares
 MOST_RECTS = 32  # rectangles of overridden patches that count; rows of one kind side by side are one
 KINDS = ("open", "coastal", "beach", "removed")
 OPEN, COASTAL, BEACH, REMOVED = range(4)
@@ -183,8 +184,8 @@ class PatchKinds:
     kinds: np.ndarray
 
 
-def patch_kinds(level: Level, reach_m: float = 0.0) -> PatchKinds:
-    """Kinds of the hectares of a level and of a ring round it, `reach_m` wide and one hectare at least.
+def patch_kinds(level: Level) -> PatchKinds:
+    """Kinds of the hectares of a level and of a ring round it that holds every overridden one, up to MOST_RING.
 
     By the distance to the shore; open only where the clock's depth is out of reach of every shore wave, removed only
     where all ground stands over twice the highest wave.
@@ -192,8 +193,10 @@ def patch_kinds(level: Level, reach_m: float = 0.0) -> PatchKinds:
     from .waves import largest_height_m
 
     sea, shore, field = level.settings.sea, shore_map(level), shore_field(level)
-    ring = max(1, int(np.ceil(reach_m / PATCH_M)))
     cols, rows = (int(np.ceil(side / PATCH_M)) for side in level.grid.extent_m)
+    asked = overrides(level)
+    ring = min(max((max(-col, -row, col - cols + 1, row - rows + 1) for col, row in asked), default=1), MOST_RING)
+    ring = max(ring, 1)
     shape = rows + 2 * ring, cols + 2 * ring
     nearest = _by_hectare(np.abs(field.distance_m), field.cell_m, shape, ring, np.min)
     clock = _by_hectare(shore.packed[..., 0], shore.cell_m, shape, ring, np.min)
@@ -208,7 +211,7 @@ def patch_kinds(level: Level, reach_m: float = 0.0) -> PatchKinds:
     far = np.ones(shape, bool)  # so far past the border no shore wave goes
     far[ring - 1 : ring + rows + 1, ring - 1 : ring + cols + 1] = False
     kinds[far] = OPEN
-    for (col, row), kind in overrides(level).items():
+    for (col, row), kind in asked.items():
         if 0 <= row + ring < shape[0] and 0 <= col + ring < shape[1]:
             kinds[row + ring, col + ring] = kind
     return PatchKinds(-ring, -ring, kinds)

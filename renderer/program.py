@@ -1,8 +1,8 @@
 """Shader programs: includes, compiling, errors as file:line, hot reload that keeps the last good program.
 
-One file is one program, its stages between `#ifdef VERTEX` and `#ifdef FRAGMENT`; more of STAGES where a define asks. `#include "level/x.glsl"` reads from
-level/shaders, `#include "lib/x.glsl"` and plain names from renderer/shaders; every file is guarded, so it counts once a
-stage however often it is named.
+One file is one program, its stages between `#ifdef VERTEX` and `#ifdef FRAGMENT`; more of STAGES where a define asks.
+`#include "level/x.glsl"` reads from level/shaders, `#include "lib/x.glsl"` and plain names from renderer/shaders; every
+file is guarded, so it counts once a stage however often it is named.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ STAGES = (
     ("vertex_shader", "VERTEX", ""),
     ("tess_control_shader", "TESS_CONTROL", "TESSELLATED"),
     ("tess_evaluation_shader", "TESS_EVALUATION", "TESSELLATED"),
-    ("geometry_shader", "GEOMETRY", "AREA"),
+    ("geometry_shader", "GEOMETRY", "MEASURED"),
     ("fragment_shader", "FRAGMENT", ""),
 )
 _PLACE = re.compile(r"^(?:ERROR: |WARNING: )?(\d+)[:(](\d+)\)?", re.MULTILINE)

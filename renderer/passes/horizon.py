@@ -22,7 +22,8 @@ def draw(frame: Frame) -> None:
         return
     ctx = frame.renderer.ctx
     frame.targets.gbuffer.use()
-    shader = frame.shader("sea.glsl", HORIZON="", **below_defines(frame))
+    measured = {"UNMEASURED": ""} if frame.view.name == "triangle_area" else {}
+    shader = frame.shader("sea.glsl", HORIZON="", **measured, **below_defines(frame))
     shader.program["u_horizon_hole"].value = tuple(float(v) for v in _hole(frame, sea_extent(frame)))
     vertices = frame.renderer.kept.get("horizon")
     if vertices is None or vertices[0] != (id(shader), shader.generation):

@@ -146,7 +146,7 @@ def below_defines(frame: Frame) -> dict[str, str]:
 
 
 def _defines(frame: Frame, hull: bool) -> dict[str, str]:
-    wanted = {"COARSE": not frame.tier.sea_exact, "TESSELLATED": hull, "AREA": frame.view.name == "triangle_area"}
+    wanted = {"COARSE": not frame.tier.sea_exact, "TESSELLATED": hull, "MEASURED": frame.view.name == "triangle_area"}
     return {"MESH": "", **{name: "" for name, on in wanted.items() if on}, **below_defines(frame)}
 
 

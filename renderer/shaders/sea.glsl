@@ -25,7 +25,7 @@ uniform bool u_show_procedural_foam, u_show_painted_foam, u_foam_roughness;
 #ifndef HORIZON
 in vec2 v_before;
 in vec3 v_relative;
-#ifdef AREA
+#ifdef MEASURED
 flat in vec2 v_area;
 #endif
 #endif
@@ -116,8 +116,10 @@ void main() {
     if (u_foam_roughness) roughness = mix(roughness, FOAM_ROUGHNESS, foam.cover);  // D09
     write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness,
                           u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
-#ifdef AREA
+#if defined(MEASURED)
     out_emissive = vec4(v_area, 0.0, 1.0);
+#elif defined(UNMEASURED)
+    out_emissive = vec4(0.0);
 #endif
 }
 #endif

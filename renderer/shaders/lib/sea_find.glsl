@@ -1,9 +1,16 @@
 // Where a pixel's ray meets the wave: the mesh is off it by its curvature between vertices (D30, H21).
 #include "level/waves.glsl"
 #include "lib/noise.glsl"
+#include "lib/sea_below.glsl"
 
 uniform float u_swell_length_m, u_chop_length_m;
+#ifdef TESSELLATED
+const int BEYOND = 14;  // steps, longer and longer, to what lies behind a crest that the mesh puts too high
+#else
+const int BEYOND = 0;
+#endif
 const int REFINEMENTS = 3, STEPS = 12, CLOSER = 8;
+const float LONGER = 1.3;
 const float MOST_REFINED_M = 1.5, REFINED_FROM_M = 50.0, NEAR_ENOUGH_M = 0.02, CLOSE_M = 0.005, ENOUGH_M = 0.015;
 const float FOUND_M = 150.0;  // beyond, a pixel is wider than what the mesh is off
 const float SEARCH_M = 120.0;  // up to here the drawn surface is the twin's within 3 cm
@@ -37,11 +44,13 @@ float most_refined(float away) { return MOST_REFINED_M * max(away / REFINED_FROM
 // weight (the Illinois rule, Dowell & Jarratt 1971). False where it passes over the wave.
 bool search_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
     vec3 start = relative, along = normalize(relative);
-    float low = -most_refined(length(start)), high = low, step_m = -2.0 * low / float(STEPS), low_above, high_above;
+    float low_end = -most_refined(length(start)), low = low_end, high = low, low_above, high_above;
+    float step_m = -2.0 * low / float(STEPS);
     vec2 at = before + along.xy * low;
     low_above = above_wave(start, along, low, at, sea);
     bool crossed = false;
-    for (int i = 1; i <= STEPS && !crossed; ++i) {
+    for (int i = 1; i <= STEPS + BEYOND && !crossed; ++i) {
+        if (i > STEPS) step_m *= LONGER;
         at += along.xy * step_m;
         high = low + step_m;
         high_above = above_wave(start, along, high, at, sea);
@@ -68,6 +77,10 @@ bool search_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
     }
     relative = start + along * way;
     before = at;
+    if (way > -low_end) {
+        float land = texelFetch(under_eye_depth, ivec2(gl_FragCoord.xy), 0).r;
+        if (land > 0.0 && land < eye_depth_of(relative)) return false;
+    }
     return abs(above) < NEAR_ENOUGH_M;
 }
 
@@ -91,6 +104,13 @@ void onto_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
     before = first;
     vec2 at = first;
     bool fine = abs(above_wave(start, along, 0.0, at, sea)) < NEAR_ENOUGH_M || length(start) > SEARCH_M;
-    if (!fine && !search_surface(relative, before, sea)) discard;
+    if (fine || search_surface(relative, before, sea)) return;
+#ifdef TESSELLATED
+    relative = start;  // far from the wave where cells are large for few pixels: better the mesh than a hole
+    before = first;
+    sea = sea_surface(first);
+#else
+    discard;
+#endif
 }
 

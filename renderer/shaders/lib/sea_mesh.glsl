@@ -1,4 +1,4 @@
-// The sea's mesh: from grids, or tessellated from cells of 10 m (H01, H02). With AREA a geometry stage measures triangles.
+// The sea's mesh: from grids, or tessellated from cells of 10 m (H01, H02). With MEASURED a geometry stage measures triangles.
 // One weight by distance drives how fine it is and how high its waves stand (H31).
 
 uniform float u_sea_near_m, u_sea_falloff;
@@ -33,7 +33,7 @@ vec3 sea_vertex(vec2 before, vec2 relative) {
     return vec3(relative + shift, u_sea_level_m - u_camera.z + rise);
 }
 
-#ifdef AREA
+#ifdef MEASURED
 #define MADE_BEFORE m_before
 #define MADE_RELATIVE m_relative
 #define MADE_FACTOR m_factor
@@ -123,7 +123,7 @@ in vec2 e_before[], e_relative[];
 patch in float e_factor;
 out vec2 MADE_BEFORE;
 out vec3 MADE_RELATIVE;
-#ifdef AREA
+#ifdef MEASURED
 out float MADE_FACTOR;
 #endif
 
@@ -137,7 +137,7 @@ void main() {
     MADE_BEFORE = within(e_before[0], e_before[1], e_before[2], e_before[3]);
     MADE_RELATIVE = sea_vertex(MADE_BEFORE, within(e_relative[0], e_relative[1], e_relative[2], e_relative[3]));
     gl_Position = u_view_projection * vec4(MADE_RELATIVE, 1.0);
-#ifdef AREA
+#ifdef MEASURED
     MADE_FACTOR = e_factor;
 #endif
 }
