@@ -66,9 +66,10 @@ void main() {
     sharp.y = mix(1.0, sharp.y, smoothstep(SEARCH_M, 1.4 * SEARCH_M, length(relative)));
     chop_share = sharp.y;
     group_swell(before, length(relative), pixel_m);
+#if defined(HORIZON) || defined(COARSE)
     Sea sea = sea_surface(before);
-#if !defined(HORIZON) && !defined(COARSE)
-    if (shares.x >= 1.0 && length(relative) < FOUND_M) onto_surface(relative, before, sea);
+#else
+    Sea sea = sea_found(shares.x >= 1.0 && length(relative) < FOUND_M, relative, before);
 #endif
     fade_surf(sea);
     float away = length(relative), eye_depth = eye_depth_of(relative);
