@@ -15,6 +15,7 @@ import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera
+from ..level.patches import overrides
 from .camera import Matrices, camera_matrices, jitter
 from .quality import Tier, tier
 from .show import Overlays, Show
@@ -33,6 +34,7 @@ class Pass:
 
 
 GBUFFER = ("g_albedo", "g_normal", "g_material", "g_emissive", "g_eye_depth", "g_before")
+WITH_WAVES = ("sea.glsl", "view.glsl")  # what evaluates the whole sea, and so knows overridden patches (H27)
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
 PASSES: tuple[Pass, ...] = (
@@ -104,6 +106,8 @@ class Frame:
         """A program with this frame's uniforms and textures bound."""
         from .uniforms import bind_textures, set_uniforms
 
+        if name in WITH_WAVES and overrides(self.level):
+            defines["PATCHED"] = ""
         shader = self.renderer.programs.get(name, **defines)
         set_uniforms(shader.program, self.uniforms)
         bind_textures(shader, self.textures)
