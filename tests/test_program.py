@@ -9,7 +9,8 @@ from shorewright.renderer.uniforms import set_uniforms
 from shorewright.renderer.views import VIEWS
 
 VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": ""}, {"MESH": "", "TESSELLATED": ""},
-                         {"MESH": "", "MEASURED": ""}, {"MESH": "", "MEASURED": "", "TESSELLATED": ""}, {"MESH": "", "PATCHED": ""}),
+                         {"MESH": "", "MEASURED": ""}, {"MESH": "", "MEASURED": "", "TESSELLATED": ""},
+                         {"MESH": "", "PATCHED": ""}),
             "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "openness.glsl": ({"WAYS": "8", "STEPS": "11"},),
             "terrain.glsl": ({"GROUND_CHEAP": ""},
                              {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": "", "MOST_LAYERS": "3"}),

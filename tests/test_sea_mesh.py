@@ -56,6 +56,43 @@ def test_the_mesh_is_the_hectares_that_the_circle_touches(renderer):
     assert np.array_equal(plane[sure], expected[sure])
 
 
+def test_without_view_circles_the_mesh_moves_in_whole_hectares(renderer):
+    """H01: about the camera, and no vertex ever leaves its place in the world."""
+    from shorewright.renderer.passes.sea import sea_chunks, sea_extent
+    from shorewright.renderer.views import VIEWS
+
+    boxes, grids = [], []
+    for x in (110.0, 150.0, 199.0, 201.0):
+        frame = renderer.prepare(open_sea(), camera(x=x), SIZE, 0.0, VIEWS["final"], None, "medium", None)
+        extent = sea_extent(frame)
+        lod, _, chunks = sea_chunks(frame, extent)
+        boxes.append(extent.box_m)
+        grids.append((chunks[:, :2] * lod.cell_m, (lod.chunk << chunks[:, 2]) * lod.cell_m))
+        west, south, east, north = extent.box_m
+        assert min(x - west, east - x, 60.0 - south, north - 60.0) >= frame.tier.sea_distance_m
+    assert boxes[0] == boxes[1] == boxes[2]
+    assert boxes[3][0] == boxes[0][0] + 100.0
+    for corners, sizes in grids:
+        assert np.array_equal(corners % sizes[:, None], np.zeros_like(corners))
+        small = sizes <= 100.0
+        assert np.array_equal(corners[small] // 100.0, (corners[small] + sizes[small, None] - 0.01) // 100.0)
+
+
+def test_waves_die_out_with_the_distance_by_two_knobs(renderer):
+    """H31: a nearer or steeper fall leaves less of the swell."""
+    place, highest = camera(y=-400.0, z=60.0, yaw=0.0, pitch=-8.0), []
+    for near_m, falloff in ((120.0, 1.6), (40.0, 1.6), (120.0, 3.0)):
+        level = open_sea()
+        level.set("sea.near_m", near_m)
+        level.set("sea.falloff", falloff)
+        position = shot(renderer, level, place, "position")
+        away = np.hypot(position[..., 0] - place.x, position[..., 1] - place.y)
+        highest.append(np.abs(position[(away > 400) & (away < 600)][:, 2]).max())
+    assert highest[0] > 0.1
+    assert highest[1] < 0.5 * highest[0]
+    assert highest[2] < 0.5 * highest[0]
+
+
 @pytest.mark.parametrize("mesh", MESHES)
 def test_waves_lie_flat_where_the_mesh_ends(renderer, mesh):
     """H31: at the circle's rim the surface is the plane of the horizon; in its middle it isn't."""
