@@ -15,7 +15,6 @@ import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera
-from ..level.patches import overrides
 from .camera import Matrices, camera_matrices, jitter
 from .quality import Tier, tier
 from .show import Overlays, Show
@@ -104,6 +103,7 @@ class Frame:
 
     def shader(self, name: str, **defines: str):
         """A program with this frame's uniforms and textures bound."""
+        from ..level.patches import overrides
         from .uniforms import bind_textures, set_uniforms
 
         if name in WITH_WAVES and overrides(self.level):

@@ -53,7 +53,7 @@ _LAND = _columns(
 )
 _SEA = _columns(
     sea_cell_m=(1.25, 0.625, 0.3125),
-    sea_reach=(6.4, 10.0, 18.0),
+    sea_reach=(5.6, 10.0, 18.0),
     sea_distance_m=(1500.0, 2500.0, 4000.0),
     sea_exact=(False, True, True),
 )
