@@ -78,6 +78,19 @@ def test_without_view_circles_the_mesh_moves_in_whole_hectares(renderer):
         assert np.array_equal(corners[small] // 100.0, (corners[small] + sizes[small, None] - 0.01) // 100.0)
 
 
+def test_software_draws_grids_and_the_setting_is_obeyed(renderer):
+    """H02: one switch; auto goes by who draws."""
+    from shorewright.renderer.passes.sea import software, tessellated
+    from shorewright.renderer.views import VIEWS
+
+    def chosen(mesh):
+        level = open_sea(mesh)
+        return tessellated(renderer.prepare(level, camera(), SIZE, 0.0, VIEWS["final"], None, "low", None))
+
+    assert [chosen(mesh) for mesh in MESHES] == [False, True]
+    assert chosen("auto") == (not software(renderer.ctx))
+
+
 def test_waves_die_out_with_the_distance_by_two_knobs(renderer):
     """H31: a nearer or steeper fall leaves less of the swell."""
     place, highest = camera(y=-400.0, z=60.0, yaw=0.0, pitch=-8.0), []

@@ -5,7 +5,8 @@ uniform float u_sea_near_m, u_sea_falloff;
 uniform vec2 u_sea_length_m;  // of swell and chop
 uniform vec4 u_sea_edge;      // camera-relative middle of the mesh, radius at which its waves lie flat, width of the way there
 
-const float NEAR_CELL_M = 0.5;                     // what near waves are drawn with, whatever the tier
+// what near waves are drawn with, whatever the tier; the chop as if with less, for from afar its fronts stand in a lattice
+const vec2 NEAR_CELL_M = vec2(0.5, 1.0);
 const float FLAT_CELLS = 2.0, WHOLE_CELLS = 6.0;  // cells a wavelength at which a wave lies flat, is whole
 
 // 1 up to near_m, from there falling faster than linear.
