@@ -61,7 +61,11 @@ class ViewCircle(Placed):
 
 
 class SeaPatch(Placed):
-    """What the hectare of sea round a point is, whatever the distance to the shore says (H01, H27)."""
+    """What the hectare of sea round a point is, whatever the distance to the shore says (H01, H27).
+
+    Open: no shore waves. Coastal: the sheet doesn't slide on the beach. Beach: drawn with all, as it comes by itself.
+    Removed: nothing is drawn.
+    """
 
     kind: Literal["sea_patch"] = "sea_patch"
     sea: Literal["open", "coastal", "beach", "removed"] = param(

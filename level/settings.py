@@ -40,12 +40,24 @@ class Sea(Section):
     )
     phase_noise_m: float = param(170.0, 10, 5000, "m", "Size of that noise.", soft=(50, 600))
     mesh: Literal["auto", "grid", "tessellated"] = param(
-        "auto", doc="How the surface is made: by the renderer's choice, from grids, or tessellated on the GPU."
+        "auto", doc="How the mesh gets fine: from grids, or tessellated; auto tessellates on graphics hardware."
     )
-    near_m: float = param(120.0, 20, 2000, "m", "Up to here the surface is as fine as it gets.", soft=(40, 400))
-    falloff: float = param(1.6, 1, 4, "", "How much faster than linear the surface coarsens beyond.", soft=(1, 3))
-    coastal_m: float = param(60.0, 5, 140, "m", "From the shore to here the sea follows the coast.", soft=(20, 120))
-    beach_m: float = param(18.0, 1, 100, "m", "From the shore to here the sea touches the beach.", soft=(5, 40))
+    near_m: float = param(
+        120.0,
+        20,
+        2000,
+        "m",
+        "Up to here waves stand whole; the mesh's finest cells reach in proportion.",
+        soft=(40, 400),
+    )
+    falloff: float = param(
+        1.6, 1, 4, "", "How much faster than linear the mesh coarsens and waves lie down beyond.", soft=(1, 3)
+    )
+    coastal_m: float = param(
+        60.0, 5, 140, "m", "Hectares that near the shore are coastal; counts up to shore.distance_range_m.",
+        soft=(20, 120),
+    )  # fmt: skip
+    beach_m: float = param(18.0, 1, 100, "m", "Hectares that near the shore are beach.", soft=(5, 40))
     deep_start_m: float = param(0.5, 0, 100, "m", "Depth at which the offshore waves begin.", soft=(0, 10))
     deep_full_m: float = param(9.0, 0.1, 400, "m", "Depth at which the offshore waves have their full height.")
 

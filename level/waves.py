@@ -14,6 +14,7 @@ from .force import ForceField
 from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, groups, phase_noise
 from .level import Level
 from .noise import lattice
+from .patches import patch_shore, patch_uniforms
 from .shore import ShoreMap, shore_map
 from .shore_waves import ShoreMasks, clock_uniforms, shore_masks, uprush
 
@@ -64,6 +65,7 @@ def surface_at(
     point, weight = _offshore(level, shore, fronts, t, x, y)
     after_x, after_y = point.x.v, point.y.v
     bed = shore.at(after_x, after_y)
+    bed["within"] = bed["within"] * patch_shore(level, after_x, after_y)
     values = lattice(level.settings.level.seed)
     masks = shore_masks(level.settings.shore, t, bed, after_x, after_y, values)
     lift = masks.lift
@@ -138,4 +140,5 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_deep_full_m": max(sea.deep_full_m, sea.deep_start_m + 1e-3),
         "u_wave_height_m": largest_height_m(level),
         "u_bed_cell_m": shore_map(level).cell_m,
+        **patch_uniforms(level),
     }

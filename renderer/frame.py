@@ -33,6 +33,7 @@ class Pass:
 
 
 GBUFFER = ("g_albedo", "g_normal", "g_material", "g_emissive", "g_eye_depth", "g_before")
+WITH_WAVES = ("sea.glsl", "view.glsl")  # what evaluates the whole sea, and so knows overridden patches (H27)
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
 PASSES: tuple[Pass, ...] = (
@@ -102,8 +103,11 @@ class Frame:
 
     def shader(self, name: str, **defines: str):
         """A program with this frame's uniforms and textures bound."""
+        from ..level.patches import overrides
         from .uniforms import bind_textures, set_uniforms
 
+        if name in WITH_WAVES and overrides(self.level):
+            defines["PATCHED"] = ""
         shader = self.renderer.programs.get(name, **defines)
         set_uniforms(shader.program, self.uniforms)
         bind_textures(shader, self.textures)

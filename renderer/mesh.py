@@ -5,7 +5,8 @@ distance of a point `d = max(|dx|, |dy|, h)` (h: how far the camera is above or 
 where its nearest point is closer than `r(l − 1)`, `r(l) = reach · chunk · 2^l` cells. Between MORPH · r(l) and r(l) the
 vertices of level l slide onto those of level l + 1, so both sides of a border are the same points; this holds for
 `reach ≥ 2 / (2 MORPH − 1)`, also where finer levels reach less far than coarser ones. Triangles without culling:
-(2 reach + 1)² · 2 chunk² · (1 + 3/4 levels) at most.
+(2 reach + 1)² · 2 chunk² · (1 + 3/4 levels) at most. With a `falloff` f above 1 cells grow as d^f (H02): ranges grow by
+2^(1/f) a level, or by as little as leaves no crack: what a divided chunk reaches to must not have begun to slide.
 """
 
 from __future__ import annotations
@@ -15,6 +16,8 @@ from dataclasses import dataclass
 import numpy as np
 
 MORPH = 0.75  # from this part of a level's range its vertices slide
+SAFE = 0.998  # of that, so that float32 agrees
+MOST_LEVELS = 20
 
 
 @dataclass(frozen=True)
@@ -30,6 +33,7 @@ class Lod:
     area: tuple[int, int, int, int]
     near: int = 0
     near_reach: float = 4.0
+    falloff: float = 1.0
 
     def __post_init__(self) -> None:
         least = min(self.reach, self.near_reach) if self.near else self.reach
@@ -38,7 +42,13 @@ class Lod:
 
     def range_cells(self, level: int) -> float:
         """The distance, in base cells, at which this level gives way to the next."""
-        return (self.near_reach if level < self.near else self.reach) * self.chunk * 2.0**level
+        if level < self.near or self.falloff <= 1.0:
+            return (self.near_reach if level < self.near else self.reach) * self.chunk * 2.0**level
+        range_cells = self.reach * self.chunk * 2.0**self.near
+        for finer in range(self.near, level):
+            least = (range_cells + 2 * self.chunk * 2.0**finer) / (MORPH * SAFE)
+            range_cells = max(range_cells * 2.0 ** (1 / self.falloff), least)
+        return range_cells
 
     @property
     def levels(self) -> int:
@@ -124,9 +134,7 @@ def mesh_uniforms(lod: Lod, view: View) -> dict:
         "u_mesh_camera_cell": tuple(int(v) for v in cell),
         "u_mesh_camera_rest": tuple(float(v) for v in rest),
         "u_mesh_above_m": view.above_m,
-        "u_mesh_range_m": lod.reach * lod.chunk * lod.cell_m,
-        "u_mesh_near": lod.near,
-        "u_mesh_near_range_m": lod.near_reach * lod.chunk * lod.cell_m,
+        "u_mesh_range_m": np.array([lod.range_cells(level) * lod.cell_m for level in range(MOST_LEVELS)], np.float32),
         "u_mesh_morph": MORPH,
         "u_mesh_area": lod.area,
     }
@@ -145,11 +153,13 @@ class ChunkMesh:
         triangles = np.concatenate([south[:, [0, 1]], north[:, [1]], south[:, [0]], north[:, [1, 0]]], axis=1)
         self.vertices = ctx.buffer(cells.astype("i4").tobytes())
         self.indices = ctx.buffer(triangles.astype("i4").tobytes())
+        cells = np.concatenate([south, north[:, ::-1]], axis=1)  # south-west, south-east, north-east, north-west
+        self.quads = ctx.buffer(cells.astype("i4").tobytes())
         self.instances = ctx.buffer(reserve=12)
         self.arrays: dict[tuple, object] = {}
 
-    def draw(self, shader, chunks: np.ndarray) -> int:
-        """Draw `chunks` (n, 3) with a shader; returns the triangles sent."""
+    def draw(self, shader, chunks: np.ndarray, patches: bool = False) -> int:
+        """Draw `chunks` (n, 3) with a shader; returns the triangles sent. `patches`: each cell as one to tessellate."""
         if not len(chunks):
             return 0
         self.instances.orphan(max(chunks.nbytes, 12))
@@ -157,10 +167,13 @@ class ChunkMesh:
         key = (id(shader), shader.generation)
         if key not in self.arrays:
             content = [(self.vertices, "2i4", "in_cell"), (self.instances, "3i4/i", "in_chunk")]
-            self.arrays[key] = self.ctx.vertex_array(shader.program, content, self.indices, index_element_size=4)
-        self.arrays[key].render(instances=len(chunks))
+            indices = self.quads if patches else self.indices
+            self.arrays[key] = self.ctx.vertex_array(shader.program, content, indices, index_element_size=4)
+        if patches:
+            self.ctx.patch_vertices = 4
+        self.arrays[key].render(self.ctx.PATCHES if patches else self.ctx.TRIANGLES, instances=len(chunks))
         return len(chunks) * 2 * self.chunk**2
 
     def release(self) -> None:
-        for thing in (*self.arrays.values(), self.vertices, self.indices, self.instances):
+        for thing in (*self.arrays.values(), self.vertices, self.indices, self.quads, self.instances):
             thing.release()

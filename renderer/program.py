@@ -1,8 +1,8 @@
 """Shader programs: includes, compiling, errors as file:line, hot reload that keeps the last good program.
 
-One file is one program, its stages between `#ifdef VERTEX` and `#ifdef FRAGMENT`. `#include "level/x.glsl"` reads from
-level/shaders, `#include "lib/x.glsl"` and plain names from renderer/shaders; every file is guarded, so it counts once a
-stage however often it is named.
+One file is one program, its stages between `#ifdef VERTEX` and `#ifdef FRAGMENT`; more of STAGES where a define asks.
+`#include "level/x.glsl"` reads from level/shaders, `#include "lib/x.glsl"` and plain names from renderer/shaders; every
+file is guarded, so it counts once a stage however often it is named.
 """
 
 from __future__ import annotations
@@ -16,6 +16,14 @@ LEVEL_SHADERS = Path(__file__).parents[1] / "level" / "shaders"
 MOST_SAMPLERS = 16  # what macOS offers (design, GL 4.1)
 SAMPLER_TYPES = {0x8B5D, 0x8B5E, 0x8B5F, 0x8B60, 0x8B62, 0x8DC1, 0x8DC4, 0x8DCA, 0x8DCF, 0x8DD2, 0x8DD7, 0x8DC2}
 _INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"\s*$')
+# what moderngl calls it, the define of its part of the file, the define of the program that asks for it
+STAGES = (
+    ("vertex_shader", "VERTEX", ""),
+    ("tess_control_shader", "TESS_CONTROL", "TESSELLATED"),
+    ("tess_evaluation_shader", "TESS_EVALUATION", "TESSELLATED"),
+    ("geometry_shader", "GEOMETRY", "MEASURED"),
+    ("fragment_shader", "FRAGMENT", ""),
+)
 _PLACE = re.compile(r"^(?:ERROR: |WARNING: )?(\d+)[:(](\d+)\)?", re.MULTILINE)
 
 
@@ -107,10 +115,8 @@ class Shader:
     def _compile(self, source: Source):
         head = "#version 410 core\n#define {}\n" + "".join(f"#define {k} {v}\n" for k, v in self.defines.items())
         try:
-            return self.ctx.program(
-                vertex_shader=head.format("VERTEX") + source.text,
-                fragment_shader=head.format("FRAGMENT") + source.text,
-            )
+            wanted = [(name, part) for name, part, asks in STAGES if not asks or asks in self.defines]
+            return self.ctx.program(**{name: head.format(part) + source.text for name, part in wanted})
         except Exception as error:  # moderngl raises its own Error class, drivers differ in the text
             raise ShaderError(f"{self.name}: {explain(str(error), source)}") from None
 

@@ -21,10 +21,9 @@ class Tier:
     name: str
     terrain_reach: float
     terrain_chunk: int  # cells a side of a terrain chunk
-    sea_cell_m: float
-    sea_reach: float
-    sea_chunk: int
-    sea_distance_m: float  # from there on the sea is the horizon plane
+    sea_cell_m: float  # 10 m over a power of two: chunks of ten cells fit the hectares (H01)
+    sea_reach: float  # where sea.near_m is as it comes
+    sea_distance_m: float  # without view circles the mesh goes so far; from there on the sea is the horizon plane
     shadow_size: int  # samples a side of the shadow map
     prop_shadow_size: int  # of the map of scattered things' shadows
     scatter_share: float  # of the grass that is drawn; a tier draws what the one below draws, and more
@@ -53,9 +52,8 @@ _LAND = _columns(
     scatter_reach=(0.75, 1.0, 1.4),
 )
 _SEA = _columns(
-    sea_cell_m=(1.0, 0.5, 0.25),
-    sea_reach=(5.0, 8.0, 14.0),
-    sea_chunk=(16, 16, 16),
+    sea_cell_m=(1.25, 0.625, 0.3125),
+    sea_reach=(5.6, 10.0, 18.0),
     sea_distance_m=(1500.0, 2500.0, 4000.0),
     sea_exact=(False, True, True),
 )

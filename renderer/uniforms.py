@@ -18,7 +18,6 @@ from ..level.waves import wave_uniforms
 from .look import look_uniforms, wave_slopes
 from .quality import APRON_DEPTH_M, APRON_M
 
-TRUE_M = 120.0  # up to here the drawn sea is the twin's (D30)
 WET_WAVES = 4  # so many waves back sand remembers each (lib/wet.glsl)
 OWN_SECTIONS = ("sea", "shore", "time")
 
@@ -58,19 +57,18 @@ def frame_uniforms(frame) -> dict:
         "u_table_on": table_in_use(level) is not None,
         "u_wet_waves": WET_WAVES if frame.tier.sea_exact else 2,
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
-        **_sea_shape(level.settings, frame.tier),
+        **_sea_shape(level.settings),
     }
 
 
-def _sea_shape(settings: Settings, tier) -> dict:
-    """Where the mesh waves lie down with distance, and how steep those are that mesh and pixels no longer carry."""
+def _sea_shape(settings: Settings) -> dict:
+    """How the sea coarsens with distance (H31), and how steep waves are that mesh and pixels no longer carry."""
     sea = settings.sea
-    flat_m = 0.9 * tier.sea_distance_m
     chop, swell = wave_slopes(sea, settings.level.seed, 0.0).sum(axis=1)
-    ends = [(14 * length, 28 * length) for length in (sea.swell_length_m, sea.chop_length_m)]
-    fade = [(max(min(first, 0.5 * flat_m), TRUE_M), max(min(last, flat_m), 1.5 * TRUE_M)) for first, last in ends]
     return {
-        "u_sea_fade_m": (*fade[0], *fade[1]),
+        "u_sea_near_m": sea.near_m,
+        "u_sea_falloff": sea.falloff,
+        "u_sea_length_m": (sea.swell_length_m, sea.chop_length_m),
         "u_swell_length_m": sea.swell_length_m,
         "u_chop_length_m": sea.chop_length_m,
         "u_wave_slope": (swell, chop),

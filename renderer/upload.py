@@ -10,6 +10,7 @@ from ..level import BadInput, Level, Rect
 from ..level.flow import current
 from ..level.layers import LAYERS
 from ..level.noise import lattice
+from ..level.patches import patch_kinds
 from ..level.shore import shore_map
 from ..level.shore_field import shore_field
 from ..level.walk import walkable
@@ -109,6 +110,12 @@ class Uploader:
             self._send("u_walkable", walkable(level, rect).astype(np.uint8) * 255, rect, "f1")
         self.seen["walkable"] = key, level.revision
         return self.textures["u_walkable"]
+
+    def patch_kinds(self, level: Level):
+        """Kinds of sea by hectare (H27), R8, and the column and row of the first."""
+        made = patch_kinds(level)
+        self._whole("u_patch_kinds", made.kinds, "f1")
+        return self.textures["u_patch_kinds"], (made.col0, made.row0)
 
     def shore_field(self, level: Level):
         """Distance, direction, beach (H10, H11), RGBA8 with a linear filter; only what changed is sent."""

@@ -177,6 +177,14 @@ VIEWS: dict[str, View] = {
         View("crest_light", "Crest light", "The sun that comes through the crests of waves, as a share of it.",
              "on_sea * crest_light(sea, s, ray * s.eye_depth)", "grey", 0, 0.12, ids="L07"),
         View("under_albedo", "Under: albedo", "Albedo of what lies under the water.", "under", "colour", ids="D02"),
+        View("patches", "Patches", "Kinds of sea by hectare, cells of 10 m: blue open, green coastal, sand beach, "
+             "red removed; grey is the horizon's plane.",
+             "patch_colour(position.xy, s.eye_depth * u_pixel_angle) * (0.6 + 0.4 * on_sea)", "direct",
+             ids="H01 H27"),
+        View("triangle_area", "Triangle area", "Pixels a triangle of the sea has, 400 to white; red under 16, "
+             "blue the horizon's plane.",
+             "on_sea * triangle_colour(s.emissive.x)", "direct",
+             ids="H02"),
         View("walkable", "Walkable", "Green where the player can go, red beyond.",
              "walkable > 0.5 ? vec3(0.1, 0.7, 0.2) : vec3(0.8, 0.1, 0.1)", "direct", ids="D31"),
         *(_layer_view(row) for row in LAYERS.values()),

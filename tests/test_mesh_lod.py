@@ -68,6 +68,27 @@ def test_the_finest_cells_reach_as_far_as_promised():
     assert nearest_m[chunks[:, 2] >= 2].min() >= 128
 
 
+@pytest.mark.parametrize("falloff", [1.3, 1.6, 4.0])
+@pytest.mark.parametrize("above_m", [0.0, 40.0])
+def test_cells_that_grow_faster_than_linear_leave_no_crack(falloff, above_m):
+    """H02: constant near, then ranges that grow by less than two a level, down to what is still watertight."""
+    lod = Lod(1.0, 4, 9.0, (-300, -300, 500, 430), falloff=falloff)
+    grown = [lod.range_cells(level + 1) / lod.range_cells(level) for level in range(6)]
+    assert max(grown) < 2.0
+    view = View(np.array([13.3, 7.1, 0.0]), EVERYWHERE, above_m)
+    edges = Counter()
+    for triangles in slid_triangles(lod, view, select(lod, view, flat(0, 1))):
+        for triangle in triangles:
+            points = [tuple(p) for p in triangle]
+            if len(set(points)) == 3:
+                for a, b in zip(points, points[1:] + points[:1], strict=True):
+                    edges[min(a, b), max(a, b)] += 1
+    low, high = (-300, -300), (500, 430)
+    odd = [e for e, n in edges.items() if n != 2]
+    assert len(edges) > 1000
+    assert all(any(a[i] == b[i] and a[i] in (low[i], high[i]) for i in (0, 1)) for a, b in odd)
+
+
 @pytest.mark.parametrize("rule", [(8, 3.9), (7, 8.0), (8, 8.0, 2, 3.9), (8, 8.0, 2, 9.0)])
 def test_rules_that_would_leave_cracks_are_refused(rule):
     """An odd chunk, a reach too short, near levels that reach too short or farther than the others."""

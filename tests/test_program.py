@@ -8,7 +8,9 @@ from shorewright.renderer.program import MOST_SAMPLERS, SHADERS, Programs, Shade
 from shorewright.renderer.uniforms import set_uniforms
 from shorewright.renderer.views import VIEWS
 
-VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": ""}),
+VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": ""}, {"MESH": "", "TESSELLATED": ""},
+                         {"MESH": "", "MEASURED": ""}, {"MESH": "", "MEASURED": "", "TESSELLATED": ""},
+                         {"MESH": "", "PATCHED": ""}),
             "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "openness.glsl": ({"WAYS": "8", "STEPS": "11"},),
             "terrain.glsl": ({"GROUND_CHEAP": ""},
                              {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": "", "MOST_LAYERS": "3"}),
@@ -136,6 +138,7 @@ def test_views_compile_with_at_most_16_samplers(ctx):
         if view.value:
             defines = {"LAYER": ""} if view.layer else {"WALKABLE": ""} if view.name == "walkable" else {}
             defines |= {"SHORE_FIELD": ""} if "shore_field" in view.value else {}
+            defines |= {"PATCHES": ""} if "patch_colour" in view.value else {}
             assert len(programs.get("view.glsl", VIEW_VALUE=view.value, **defines).samplers) <= MOST_SAMPLERS
     programs.release()
 

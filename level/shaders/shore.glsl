@@ -82,6 +82,13 @@ vec3 shore_swash(vec2 xy, vec3 early) {
     return d_mul(swash_run(vec3(fract(arrived), early.yz)), swash_reach(xy, wave));
 }
 
+// How many waves must be looked at: where the depth is out of reach of the outermost front's trail all masks and the lift
+// are nothing, whichever wave is asked (shore_reach_m of level/patches.py).
+int shore_waves_at(float s, float s_body) {
+    float trail = max(u_shore_gap + 2.0 * u_shore_back, u_shore_gap + 0.5 * u_shore_width);
+    return max(s, s_body) < -max(trail, 0.5 * (u_shore_width + u_shore_fall)) ? 1 : u_shore_count;
+}
+
 ShoreMasks shore_masks(Bed bed, vec2 xy) {
     // Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink
     // into a hole round each of them.
@@ -92,7 +99,7 @@ ShoreMasks shore_masks(Bed bed, vec2 xy) {
     vec3 sea = d_mul(bed.sea, bed.within);
     vec3 masks = vec3(0.0);
     float nearest = 9.0;
-    for (int k = 0; k < u_shore_count; ++k) {
+    for (int k = 0; k < shore_waves_at(s, s_body.x); ++k) {
         vec3 c = (early + d_const(float(k))) / float(u_shore_count) + d_const(u_shore_clock);
         float cycle = floor(c.x);
         vec3 f = (c - d_const(cycle)) * (1.0 + u_shore_runup);

@@ -2,6 +2,7 @@
 #include "level/shore.glsl"
 #include "level/gerstner.glsl"
 #include "level/force.glsl"
+#include "level/patches.glsl"
 
 uniform float u_sea_level_m, u_deep_start_m, u_deep_full_m, u_sea_on, u_wave_height_m;
 
@@ -25,6 +26,7 @@ Sea sea_surface(vec2 before) {
     Deformed p = gerstner(before, weight);
     vec2 after = vec2(p.x.x, p.y.x);
     Bed bed = bed_at(after);
+    bed.within = d_mul(bed.within, patch_shore(after));
     ShoreMasks shore = shore_masks(bed, after);
     // d lift / d before = d lift / d after · d after / d before
     vec3 lift = shore.lift + d_mul(d_mul(force_lift(after), bed.sea), d_step(0.0, 0.5, bed.depth));

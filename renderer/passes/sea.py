@@ -1,30 +1,103 @@
-"""The sea into the same G-buffer as the land (D01): the wave function on the morphing mesh, world-fixed vertices."""
+"""The sea into the same G-buffer as the land (D01): the wave function on world-fixed vertices.
+
+The mesh is made of hectares (level/patches.py): those that the circle round all view circles touches, or a square of
+them round the camera. `sea.mesh` says how it gets fine near by: from grids, or tessellated from cells of 10 m (H02).
+"""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 
 import numpy as np
 
 from ...level.flow import current
+from ...level.patches import BASE_M, PATCH_M, Circle, extents, in_mesh
 from ...level.waves import largest_height_m
 from ..frame import Frame
 from ..mesh import Lod, View, mesh_uniforms, select
 from ..uniforms import set_uniforms
 from .terrain import chunk_mesh
 
+CHUNK = 10  # cells a side: a hectare is one chunk of cells of 10 m
+NEAR_M = 120.0  # what the tiers' reach stands for
+HULL_REACH = 4.0  # chunks of cells of 10 m before the hull that is tessellated gets coarser
+FLAT, FADE = 0.9, 0.4  # of the distance to the mesh's edge: where waves lie flat, how long they take
+SOFTWARE = ("llvmpipe", "softpipe", "swiftshader", "software", "basic render")
+MOST_SOFTWARE_PARTS = 8  # finer, software tessellates pathologically slowly
 
-def sea_chunks(frame: Frame) -> tuple[Lod, View, np.ndarray]:
-    """What of the sea is drawn: rule, view and chunks; none where only high land is."""
-    cell_m = frame.tier.sea_cell_m
-    position = frame.matrices.position
+
+@dataclass(frozen=True)
+class Extent:
+    """Where the mesh is: hectares from (col0, row0) to before (col1, row1) that have a part in `circle`, if any."""
+
+    col0: int
+    row0: int
+    col1: int
+    row1: int
+    circle: Circle | None
+
+    @property
+    def box_m(self) -> tuple[float, float, float, float]:
+        """World west, south, east, north."""
+        return tuple(PATCH_M * side for side in (self.col0, self.row0, self.col1, self.row1))
+
+
+def sea_extent(frame: Frame) -> Extent:
+    """The circle's hectares; without view circles whole hectares round the camera's."""
+    circle = extents(frame.level)
+    if circle is None:
+        around = math.ceil(frame.tier.sea_distance_m / PATCH_M)
+        col, row = (math.floor(v / PATCH_M) for v in frame.matrices.position[:2])
+        return Extent(col - around, row - around, col + around + 1, row + around + 1, None)
+    low = [math.floor((v - circle.radius_m) / PATCH_M) for v in (circle.x, circle.y)]
+    high = [math.floor((v + circle.radius_m) / PATCH_M) + 1 for v in (circle.x, circle.y)]
+    return Extent(*low, *high, circle)
+
+
+def extent_uniforms(frame: Frame, extent: Extent) -> dict:
+    """Where mesh and horizon meet, and where waves lie down before that (H31)."""
+    x, y = frame.matrices.position[:2]
+    circle = extent.circle
+    if circle is None:
+        distance_m = frame.tier.sea_distance_m
+        edge = (0.0, 0.0, FLAT * distance_m, FADE * distance_m)
+    else:
+        edge = (circle.x - x, circle.y - y, circle.radius_m, FADE * circle.radius_m)
+    return {
+        "u_mesh_box": extent.box_m,
+        "u_mesh_circle": (circle.x, circle.y, circle.radius_m) if circle else (x, y, 1e9),
+        "u_sea_edge": tuple(float(v) for v in edge),
+    }
+
+
+def tessellated(frame: Frame) -> bool:
+    """Whether the surface is tessellated: as `sea.mesh` says; auto, on graphics hardware."""
+    chosen = frame.level.settings.sea.mesh
+    return chosen == "tessellated" or (chosen == "auto" and not software(frame.renderer.ctx))
+
+
+def software(ctx) -> bool:
+    """Whether OpenGL is drawn by the processor."""
+    return any(name in ctx.info["GL_RENDERER"].lower() for name in SOFTWARE)
+
+
+def sea_chunks(frame: Frame, extent: Extent) -> tuple[Lod, View, np.ndarray]:
+    """What of the sea is drawn: rule, view and chunks; none outside the extent or where only high land is."""
+    sea, hull = frame.level.settings.sea, tessellated(frame)
+    cell_m = BASE_M if hull else frame.tier.sea_cell_m
+    near = (HULL_REACH if hull else frame.tier.sea_reach) * sea.near_m / NEAR_M
+    area = tuple(round(side / cell_m) for side in extent.box_m)
+    lod = Lod(cell_m, CHUNK, max(near, HULL_REACH), area, falloff=sea.falloff)
+    top = 2 * largest_height_m(frame.level)
+    above = abs(frame.matrices.position[2] - frame.level.sea_level_m)
+    view = View(frame.matrices.position, frame.matrices.planes, max(above - top, 0.0))
+    return lod, view, select(lod, view, _heights(frame, extent, cell_m, top))
+
+
+def _heights(frame: Frame, extent: Extent, cell_m: float, top: float):
+    """Bounds of the sea over rectangles of cells for `select`: lowest above highest where nothing is to be drawn."""
     level, bounds = frame.level, frame.renderer.uploader.bounds
-    top = 2 * largest_height_m(level)
-    above = abs(position[2] - level.sea_level_m)
-    half = math.ceil(frame.tier.sea_distance_m / cell_m)
-    col, row = (math.floor(v / cell_m) for v in position[:2])
-    lod = Lod(cell_m, frame.tier.sea_chunk, frame.tier.sea_reach, (col - half, row - half, col + half, row + half))
-    view = View(position, frame.matrices.planes, max(above - top, 0.0))
     cells = cell_m / level.grid.cell_m
 
     def heights(col0, row0, col1, row1):
@@ -32,13 +105,25 @@ def sea_chunks(frame: Frame) -> tuple[Lod, View, np.ndarray]:
         c0, r0, c1, r1 = (np.floor(v * cells + margin).astype(np.int64)
                           for v, margin in ((col0, -2), (row0, -2), (col1, 3), (row1, 3)))  # fmt: skip
         lowest, _ = bounds.query(r0, c0, r1, c1)
-        dry = (c0 > 0) & (r0 > 0) & (c1 < first) & (r1 < last) & (lowest > level.sea_level_m + top)
+        none = (c0 > 0) & (r0 > 0) & (c1 < first) & (r1 < last) & (lowest > level.sea_level_m + top)
+        none |= _outside(extent, *(v * cell_m for v in (col0, row0, col1, row1)))
         return (
-            np.where(dry, level.sea_level_m + 2 * top, level.sea_level_m - top),
-            np.full(len(dry), level.sea_level_m + top),
+            np.where(none, level.sea_level_m + 2 * top, level.sea_level_m - top),
+            np.full(len(none), level.sea_level_m + top),
         )
 
-    return lod, view, select(lod, view, heights)
+    return heights
+
+
+def _outside(extent: Extent, west, south, east, north) -> np.ndarray:
+    """Which rectangles, or the hectare round one, have no part in the circle."""
+    if extent.circle is None:
+        return np.zeros(len(west), bool)
+    wide = east - west > PATCH_M
+    x = np.clip(extent.circle.x, west, east) - extent.circle.x
+    y = np.clip(extent.circle.y, south, north) - extent.circle.y
+    within = in_mesh(extent.circle, np.floor(west / PATCH_M + 1e-6), np.floor(south / PATCH_M + 1e-6))
+    return np.where(wide, np.hypot(x, y) >= extent.circle.radius_m, ~within)
 
 
 def water_shown(frame: Frame) -> bool:
@@ -60,17 +145,30 @@ def below_defines(frame: Frame) -> dict[str, str]:
     return {"PLATE": ""} if in_use(frame) else {}
 
 
+def _defines(frame: Frame, hull: bool) -> dict[str, str]:
+    wanted = {"COARSE": not frame.tier.sea_exact, "TESSELLATED": hull, "MEASURED": frame.view.name == "triangle_area"}
+    return {"MESH": "", **{name: "" for name, on in wanted.items() if on}, **below_defines(frame)}
+
+
+def _tess_uniforms(frame: Frame) -> dict:
+    parts = BASE_M / frame.tier.sea_cell_m
+    return {
+        "u_planes": np.array(frame.matrices.planes, np.float32),
+        "u_tess": (parts / BASE_M, min(parts, MOST_SOFTWARE_PARTS) if software(frame.renderer.ctx) else parts),
+        "u_sea_top_m": 2 * largest_height_m(frame.level),
+    }
+
+
 def draw(frame: Frame) -> None:
     if not water_shown(frame):
         return
-    ctx = frame.renderer.ctx
+    ctx, hull, extent = frame.renderer.ctx, tessellated(frame), sea_extent(frame)
     frame.targets.gbuffer.use()
     bind_water(frame)
-    lod, view, chunks = sea_chunks(frame)
-    shader = frame.shader(
-        "sea.glsl", MESH="", **({} if frame.tier.sea_exact else {"COARSE": ""}), **below_defines(frame)
-    )
-    set_uniforms(shader.program, mesh_uniforms(lod, view))
+    frame.uniforms |= extent_uniforms(frame, extent)
+    lod, view, chunks = sea_chunks(frame, extent)
+    shader = frame.shader("sea.glsl", **_defines(frame, hull))
+    set_uniforms(shader.program, mesh_uniforms(lod, view) | (_tess_uniforms(frame) if hull else {}))
     ctx.enable(ctx.DEPTH_TEST)
-    frame.stats["sea_triangles"] = chunk_mesh(frame, lod.chunk).draw(shader, chunks)
+    frame.stats["sea_triangles"] = chunk_mesh(frame, lod.chunk).draw(shader, chunks, patches=hull)
     ctx.disable(ctx.DEPTH_TEST)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from ..frame import Frame
 from ..uniforms import shore_field_uniforms
-from .sea import bind_water
+from .sea import bind_water, extent_uniforms, sea_extent
 
 
 def draw(frame: Frame) -> None:
@@ -23,6 +23,10 @@ def draw(frame: Frame) -> None:
         defines["SHORE_FIELD"] = ""
         frame.textures["u_shore_field"] = uploader.shore_field(frame.level)
         frame.uniforms |= shore_field_uniforms(frame.level)
+    if "patch_colour" in view.value:
+        defines["PATCHES"] = ""
+        frame.textures["u_patch_kinds"], frame.uniforms["u_patch_first"] = uploader.patch_kinds(frame.level)
+        frame.uniforms |= extent_uniforms(frame, sea_extent(frame))
     bind_water(frame)
     frame.targets.picture.use()
     frame.shader("view.glsl", **defines).fullscreen()

@@ -1,49 +1,11 @@
 // The sea, one more layer in the same G-buffer (D01). With HORIZON: the plane beyond the mesh, to infinity (H21).
-// With COARSE the surface is the mesh's own, not the wave along each pixel's ray.
+// With COARSE the surface is the mesh's own, not the wave along each pixel's ray. The stages before the pixels are in
+// lib/sea_mesh.glsl and lib/sea_horizon.glsl.
 #include "lib/frame.glsl"
 #include "level/waves.glsl"
 
-uniform vec4 u_sea_fade_m;  // distances over which the mesh waves lie down: swell from, to, chop from, to
-
-// Share of the waves' height left at this distance (swell, chop): far cells are too wide to carry them.
-vec2 wave_share(vec2 away) {
-    vec2 d = vec2(max(abs(away.x), abs(away.y)));
-    return 1.0 - smoothstep(u_sea_fade_m.xz, u_sea_fade_m.yw, d);
-}
-
-#ifdef VERTEX
-#ifdef HORIZON
-uniform float u_horizon_m;  // half the side of the mesh's square
-const ivec2 CORNERS[4] = ivec2[4](ivec2(-1, -1), ivec2(1, -1), ivec2(1, 1), ivec2(-1, 1));
-
-// A square ring of eight triangles whose outer corners lie at infinity (w = 0).
-void main() {
-    int side = gl_VertexID / 6, corner = gl_VertexID % 6;
-    bool far = corner == 2 || corner == 4 || corner == 5;
-    vec2 way = vec2(CORNERS[(side + (corner == 1 || corner == 2 || corner == 4 ? 1 : 0)) % 4]);
-    float fall = u_level_sea_level_m - u_camera.z;
-    gl_Position = u_view_projection * (far ? vec4(way, 0.0, 0.0) : vec4(way * u_horizon_m, fall, 1.0));
-}
-#else
-#include "lib/mesh.glsl"
-out vec2 v_before;
-out vec3 v_relative;
-
-void main() {
-    MeshVertex v = mesh_vertex();
-    vec2 relative = slide(mesh_relative(v.cell), mesh_relative(v.parent), v.morph);
-    v_before = slide(vec2(v.cell) * u_mesh_cell_m, vec2(v.parent) * u_mesh_cell_m, v.morph);
-    vec2 shares = wave_share(relative);
-    chop_share = shares.y;
-    Sea sea = sea_surface(v_before);
-    float share = shares.x;
-    vec2 shift = (sea.position.xy - v_before) * share;
-    float rise = (sea.position.z - u_sea_level_m) * share;
-    v_relative = vec3(relative + shift, u_sea_level_m - u_camera.z + rise);
-    gl_Position = u_view_projection * vec4(v_relative, 1.0);
-}
-#endif
-#endif
+#include "lib/sea_mesh.glsl"
+#include "lib/sea_horizon.glsl"
 
 #ifdef FRAGMENT
 #define WRITE_GBUFFER
@@ -64,6 +26,9 @@ uniform float u_foam_albedo;
 #ifndef HORIZON
 in vec2 v_before;
 in vec3 v_relative;
+#ifdef MEASURED
+flat in vec2 v_area;
+#endif
 #endif
 
 // Beyond the level the shore map repeats its border: surf there would run on as a stripe to the horizon.
@@ -87,11 +52,14 @@ void main() {
     if (ray.z * fall <= 0.0) discard;
     vec3 relative = ray * min(fall / ray.z, FARTHEST_M);
     vec2 before = u_camera.xy + relative.xy;
+    float pixel_m = pixel_metres(relative, vec3(0.0, 0.0, 1.0));
+    if (patch_removed(before) || deep_in_mesh(before, 1.0 + pixel_m)) discard;
 #else
     vec3 relative = v_relative;
     vec2 before = v_before;
-#endif
     float pixel_m = pixel_metres(relative, vec3(0.0, 0.0, 1.0));
+    if (patch_removed(before) || !in_mesh(before)) discard;
+#endif
     vec2 shares = wave_share(relative.xy);
     // Waves shorter than some pixels would only flicker: their slope becomes roughness. A pixel is long at a low angle.
     float long_m = min(length(relative) * u_pixel_angle / max(abs(normalize(relative).z), 0.02), 3.0 * pixel_m);
@@ -99,9 +67,10 @@ void main() {
     sharp.y = mix(1.0, sharp.y, smoothstep(SEARCH_M, 1.4 * SEARCH_M, length(relative)));
     chop_share = sharp.y;
     group_swell(before, length(relative), pixel_m);
+#if defined(HORIZON) || defined(COARSE)
     Sea sea = sea_surface(before);
-#if !defined(HORIZON) && !defined(COARSE)
-    if (shares.x >= 1.0 && length(relative) < FOUND_M) onto_surface(relative, before, sea);
+#else
+    Sea sea = sea_found(shares.x >= 1.0 && length(relative) < FOUND_M, relative, before);
 #endif
     fade_surf(sea);
     float away = length(relative), eye_depth = eye_depth_of(relative);
@@ -153,5 +122,10 @@ void main() {
     roughness = mix(roughness, FOAM_ROUGHNESS, rough);
     write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness,
                           u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
+#if defined(MEASURED)
+    out_emissive = vec4(v_area, 0.0, 1.0);
+#elif defined(UNMEASURED)
+    out_emissive = vec4(0.0);
+#endif
 }
 #endif

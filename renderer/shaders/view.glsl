@@ -28,12 +28,21 @@ uniform sampler2D u_walkable;
 #ifdef SHORE_FIELD
 #include "lib/shore_field.glsl"
 #endif
+#ifdef PATCHES
+#include "lib/patches.glsl"
+#endif
 out vec4 out_value;
 
 vec3 material_colour(int material) {
     const vec3 COLOURS[7] = vec3[7](vec3(0.0), vec3(0.62, 0.5, 0.3), vec3(0.1, 0.35, 0.75), vec3(0.2, 0.65, 0.75),
                                     vec3(0.75, 0.9, 1.0), vec3(0.35, 0.3, 0.55), vec3(0.95));
     return COLOURS[clamp(material, 0, 6)];
+}
+
+// Pixels of a triangle as grey, too small ones red; 0: the horizon's plane.
+vec3 triangle_colour(float area) {
+    if (area <= 0.0) return vec3(0.03, 0.06, 0.15);
+    return area < 16.0 ? vec3(0.9, 0.05, 0.05) : vec3(0.15 + sqrt(area) / 24.0);
 }
 
 // The sun's mirror light as light.glsl adds it.

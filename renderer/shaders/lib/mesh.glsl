@@ -4,9 +4,7 @@ uniform float u_mesh_cell_m;
 uniform ivec2 u_mesh_camera_cell;
 uniform vec2 u_mesh_camera_rest;
 uniform float u_mesh_above_m;
-uniform float u_mesh_range_m;       // of level 0, were it not one of the near ones
-uniform int u_mesh_near;            // so many levels have a range of their own
-uniform float u_mesh_near_range_m;
+uniform float u_mesh_range_m[20];  // by level
 uniform float u_mesh_morph;
 uniform ivec4 u_mesh_area;  // first column, first row, last column, last row
 
@@ -27,7 +25,7 @@ MeshVertex mesh_vertex() {
     ivec2 cell = mesh_clamp(in_chunk.xy + (in_cell << in_chunk.z));
     ivec2 parent = mesh_clamp(in_chunk.xy + ((in_cell & ~1) << in_chunk.z));
     vec2 away = abs(mesh_relative(cell));
-    float range = (in_chunk.z < u_mesh_near ? u_mesh_near_range_m : u_mesh_range_m) * float(1 << in_chunk.z) * 0.999;  // safely inside the range the CPU divides by
+    float range = u_mesh_range_m[in_chunk.z] * 0.999;  // safely inside the range the CPU divides by
     float distance_m = max(max(away.x, away.y), u_mesh_above_m);
     float morph = clamp((distance_m / range - u_mesh_morph) / (1.0 - u_mesh_morph), 0.0, 1.0);
     return MeshVertex(cell, parent, morph);

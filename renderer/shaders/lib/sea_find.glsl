@@ -1,10 +1,17 @@
 // Where a pixel's ray meets the wave: the mesh is off it by its curvature between vertices (D30, H21).
 #include "level/waves.glsl"
 #include "lib/noise.glsl"
+#include "lib/sea_below.glsl"
 
 uniform float u_swell_length_m, u_chop_length_m;
-const int REFINEMENTS = 3, STEPS = 12, HALVINGS = 10;
-const float MOST_REFINED_M = 1.5, NEAR_ENOUGH_M = 0.02;
+#ifdef TESSELLATED
+const int BEYOND = 14;  // steps, longer and longer, to what lies behind a crest that the mesh puts too high
+#else
+const int BEYOND = 0;
+#endif
+const int REFINEMENTS = 3, STEPS = 12, CLOSER = 8;
+const float LONGER = 1.3;
+const float MOST_REFINED_M = 1.5, REFINED_FROM_M = 50.0, NEAR_ENOUGH_M = 0.02, CLOSE_M = 0.005, ENOUGH_M = 0.06;
 const float FOUND_M = 150.0;  // beyond, a pixel is wider than what the mesh is off
 const float SEARCH_M = 120.0;  // up to here the drawn surface is the twin's within 3 cm
 const float GROUP_TILE = 14.0;  // side of the noise by which the swell comes in groups, in wavelengths
@@ -21,57 +28,97 @@ void group_swell(vec2 xy, float away, float pixel_m) {
     swell_turn = far * here.yzx;
 }
 
-// The wave where the pixel's ray is `way` metres beyond `start`; returns how far the ray is above it.
-float above_wave(vec3 start, vec3 along, float way, inout vec2 before, out Sea sea) {
-    vec3 point = start + along * way;
-    sea = sea_surface(before);
+// How far a camera-relative point is above the plane that touches the wave where `sea` is.
+float above_sea(vec3 point, Sea sea) {
     vec2 off = point.xy + u_camera.xy - sea.position.xy;
-    before += off;
     return point.z + u_camera.z - sea.position.z + dot(sea.normal.xy, off) / max(sea.normal.z, 0.1);
 }
 
-// Steep waves: look along the ray for where it goes under, then halve. False where it passes over the wave.
-bool search_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
-    vec3 start = relative, along = normalize(relative);
-    float low = -MOST_REFINED_M, high = MOST_REFINED_M;
-    vec2 at = before + along.xy * low, found = at;
-    float first = above_wave(start, along, low, at, sea);
-    bool crossed = false;
-    for (int i = 1; i <= STEPS + HALVINGS; ++i) {
-        bool searching = !crossed && i <= STEPS;
-        if (!crossed && !searching) break;
-        float way = searching ? MOST_REFINED_M * (2.0 * float(i) / float(STEPS) - 1.0) : 0.5 * (low + high);
-        at = searching ? at + along.xy * (2.0 * MOST_REFINED_M / float(STEPS)) : at;
-        bool over = above_wave(start, along, way, at, sea) * first > 0.0;
-        if (over) low = way;
-        else high = way;
-        crossed = crossed || !over;
+const int REFINE = 0, MARCH = 1, CLOSE = 2, FOUND = 3, MISSED = 4, KEEP = 5;
+
+struct Search {
+    int stage, steps;
+    float way;             // along the ray from the mesh, metres
+    float most_m, step_m;  // how far it may be off: its cells grow with the distance
+    float low, high, low_above, high_above;
+};
+
+// The wave was `above` under the ray at s.way. Steep waves: look along the ray for where it goes under, then between by
+// regula falsi, the end that stays at half its weight (the Illinois rule, Dowell & Jarratt 1971).
+void look_along(inout Search s, float above) {
+    bool same_side = above * s.low_above > 0.0;
+    if (s.stage == MARCH && (same_side || s.steps == 0)) {
+        s.low = s.way;
+        s.low_above = above;
+        if (++s.steps > STEPS) s.step_m *= LONGER;
+        s.way += s.step_m;
+        if (s.steps > STEPS + BEYOND) s.stage = MISSED;
+        return;
     }
-    float way = 0.5 * (low + high);
-    relative = start + along * way;
-    before = at;
-    return crossed && abs(above_wave(start, along, way, at, sea)) < NEAR_ENOUGH_M;
+    s.steps = s.stage == MARCH ? 0 : s.steps + 1;
+    if (same_side) s.low = s.way;
+    else s.high = s.way;
+    s.high_above = same_side ? 0.5 * s.high_above : above;
+    s.low_above = same_side ? above : s.stage == MARCH ? s.low_above : 0.5 * s.low_above;
+    s.stage = CLOSE;
+    if (abs(above) < CLOSE_M || s.steps >= CLOSER) s.stage = abs(above) < NEAR_ENOUGH_M ? FOUND : MISSED;
+    else s.way = mix(s.low, s.high, clamp(s.low_above / (s.low_above - s.high_above), 0.05, 0.95));
 }
 
-// The mesh is off the wave by its curvature between vertices: go along the pixel's ray to where it meets the plane that
-// touches the wave, take the wave there, again. Kept where the ray only grazes, or far off; discarded where it misses.
-void onto_surface(inout vec3 relative, inout vec2 before, inout Sea sea) {
+// One step to where the ray meets the plane that touches the wave. The last one is shorter than a pixel and needs no
+// wave of its own. Where the ray only grazes or the step is too long: kept if the mesh is near enough, else searched.
+void touch(inout Search s, float above, vec3 normal, vec3 start, vec3 along, bool fine) {
+    float grazing = dot(along, normal), away = length(start);
+    float step_m = -above * normal.z / (abs(grazing) > 0.02 ? grazing : 0.02), way = s.way + step_m;
+    bool lost = abs(way) > s.most_m || abs(grazing) <= 0.02 || dot(start + along * way, u_forward) <= 0.0;
+    if (lost || s.steps >= REFINEMENTS) {
+        s.stage = fine ? KEEP : MARCH;
+        s.way = fine ? 0.0 : -s.most_m;
+        s.steps = 0;
+        return;
+    }
+    ++s.steps;
+    s.way = way;
+    if (abs(step_m) < clamp(away * u_pixel_angle, 0.004, ENOUGH_M)) s.stage = FOUND;
+}
+
+bool behind_land(vec3 relative) {
+    float land = texelFetch(under_eye_depth, ivec2(gl_FragCoord.xy), 0).r;
+    return land > 0.0 && land < eye_depth_of(relative);
+}
+
+// The wave at a pixel: where its ray meets it, if `exact`, else where the mesh is. One loop with one evaluation: software
+// OpenGL runs the code of every branch once, whether anybody takes it or not. Discarded where the ray misses the wave.
+Sea sea_found(bool exact, inout vec3 relative, inout vec2 before) {
     vec3 start = relative, along = normalize(relative);
     vec2 first = before;
-    for (int i = 0; i < REFINEMENTS; ++i) {
-        float grazing = dot(along, sea.normal);
-        float way = dot(sea.position - u_camera - relative, sea.normal) / (abs(grazing) > 0.02 ? grazing : 0.02);
-        vec3 there = relative + along * way;
-        if (length(there - start) > MOST_REFINED_M || abs(grazing) <= 0.02 || dot(there, u_forward) <= 0.0) break;
-        before += there.xy - (sea.position.xy - u_camera.xy);
-        relative = there;
-        if (abs(way) < 2e-3) return;
+    float away = length(start), most_m = MOST_REFINED_M * max(away / REFINED_FROM_M, 1.0);
+    Search s = Search(REFINE, 0, 0.0, most_m, 2.0 * most_m / float(STEPS), 0.0, 0.0, 0.0, 0.0);
+    bool fine = away > SEARCH_M;
+    Sea sea;
+    for (int i = 0; i < 3 + REFINEMENTS + STEPS + BEYOND + CLOSER; ++i) {
         sea = sea_surface(before);
+        if (!exact || s.stage == KEEP) break;
+        vec3 point = start + along * s.way;
+        vec2 off = point.xy + u_camera.xy - sea.position.xy;
+        float above = point.z + u_camera.z - sea.position.z + dot(sea.normal.xy, off) / max(sea.normal.z, 0.1);
+        fine = fine || (i == 0 && abs(above) < NEAR_ENOUGH_M);
+        bool refines = s.stage == REFINE;
+        if (refines) touch(s, above, sea.normal, start, along, fine);
+        else look_along(s, above);
+        before = refines && s.stage == MARCH ? first + along.xy * s.way : before + off + start.xy + along.xy * s.way - point.xy;
+        if (s.stage == FOUND && s.way > most_m && behind_land(start + along * s.way)) s.stage = MISSED;
+#ifdef TESSELLATED
+        if (s.stage == MISSED) s.stage = KEEP;  // cells are large for few pixels: better the mesh than a hole
+#endif
+        if (s.stage == KEEP) {
+            s.way = 0.0;
+            before = first;
+            if (i == 0) break;
+        }
+        if (s.stage == FOUND || s.stage == MISSED) break;
     }
-    relative = start;
-    before = first;
-    vec2 at = first;
-    bool fine = abs(above_wave(start, along, 0.0, at, sea)) < NEAR_ENOUGH_M || length(start) > SEARCH_M;
-    if (!fine && !search_surface(relative, before, sea)) discard;
+    if (s.stage == MISSED) discard;
+    relative = start + along * s.way;
+    return sea;
 }
-
