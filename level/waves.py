@@ -9,6 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .beach_map import NO_BEACH_M, beach_map
 from .dual import Dual, step
 from .force import ForceField
 from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, groups, phase_noise
@@ -22,7 +23,10 @@ INVERSIONS = 12  # fixed-point steps from world xy back to the undeformed point;
 
 @dataclass
 class SeaSample:
-    """The surface at some points, arrays of one shape; metres; `normal` has a last axis of 3."""
+    """The surface at some points, arrays of one shape; metres; `normal` has a last axis of 3.
+
+    `sheet_m` is the water over the sand; at or below 0 the sheet lies on it without thickness (H10).
+    """
 
     x: np.ndarray
     y: np.ndarray
@@ -34,6 +38,7 @@ class SeaSample:
     shore: ShoreMasks
     depth_m: np.ndarray
     clock_depth_m: np.ndarray
+    sheet_m: np.ndarray
 
 
 def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
@@ -65,18 +70,25 @@ def surface_at(
     after_x, after_y = point.x.v, point.y.v
     bed = shore.at(after_x, after_y)
     values = lattice(level.settings.level.seed)
-    masks = shore_masks(level.settings.shore, t, bed, after_x, after_y, values)
+    sand, sway = beach_map(level).at(after_x, after_y)
+    masks = shore_masks(level.settings.shore, t, bed, after_x, after_y, sway, values)
     lift = masks.lift
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
-    slope_x = point.z.dx + lift.dx * point.x.dx + lift.dy * point.y.dx
-    slope_y = point.z.dy + lift.dx * point.x.dy + lift.dy * point.y.dy
+    under = np.where(level.settings.shore.slide & (bed["sea"].v > 0), sand.v, NO_BEACH_M)
+    rise = point.z.v + lift.v
+    slid = rise < under  # H10: the higher of the two, with its slope
+    up_x, up_y = np.where(slid, sand.dx, lift.dx), np.where(slid, sand.dy, lift.dy)
+    slope_x = np.where(slid, 0, point.z.dx) + up_x * point.x.dx + up_y * point.y.dx
+    slope_y = np.where(slid, 0, point.z.dy) + up_x * point.x.dy + up_y * point.y.dy
     east = np.stack(np.broadcast_arrays(point.x.dx, point.y.dx, slope_x), -1)
     north = np.stack(np.broadcast_arrays(point.x.dy, point.y.dy, slope_y), -1)
     normal = np.cross(east, north)
     normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-    height = level.sea_level_m + point.z.v + lift.v
-    return SeaSample(after_x, after_y, height, normal, x, y, weight.v, masks, bed["depth"].v, bed["clock"].v)
+    height = level.sea_level_m + np.maximum(rise, under)
+    return SeaSample(
+        after_x, after_y, height, normal, x, y, weight.v, masks, bed["depth"].v, bed["clock"].v, rise - under
+    )
 
 
 def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceField | None = None) -> SeaSample:
@@ -138,4 +150,7 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_deep_full_m": max(sea.deep_full_m, sea.deep_start_m + 1e-3),
         "u_wave_height_m": largest_height_m(level),
         "u_bed_cell_m": shore_map(level).cell_m,
+        "u_beach_cell_m": beach_map(level).cell_m,
+        "u_shore_sway": shore.sway,
+        "u_shore_slide": float(shore.slide),
     }

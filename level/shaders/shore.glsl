@@ -2,6 +2,7 @@
 #include "level/dual.glsl"
 #include "level/noise_lattice.glsl"
 #include "level/bed.glsl"
+#include "level/beach.glsl"
 
 uniform float u_shore_clock;    // fract(t / travel), in cycles
 uniform int u_shore_cycle;
@@ -21,6 +22,7 @@ struct ShoreMasks {
     float edge_s; // the water's edge, in s
     float s;
     float front;  // s of the nearest front
+    float arrived;  // swash_arrived there
 };
 
 float shore_fade(float f) {
@@ -57,9 +59,10 @@ vec3 shore_height_along(vec3 s) {
 // 0 … 1 along the shore for the wave of this number: what it lacks in height and in reach.
 vec3 wave_noise(vec2 xy, int wave) { return value_noise(xy, u_shore_variety_m, ivec2(wave * 17, wave * 29)); }
 
-// How much earlier waves arrive at a place, in intervals.
-vec3 shore_early(vec2 xy) {
-    return (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
+// How much earlier waves arrive at a place, in intervals: noise, and the sway along the shore (H20).
+vec3 shore_early(vec2 xy, vec3 sway) {
+    vec3 noise = (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
+    return noise + sway * u_shore_sway;
 }
 
 // Waves that have passed the still water line since the cycle began; the fraction is the phase of the last one.
@@ -82,13 +85,13 @@ vec3 shore_swash(vec2 xy, vec3 early) {
     return d_mul(swash_run(vec3(fract(arrived), early.yz)), swash_reach(xy, wave));
 }
 
-ShoreMasks shore_masks(Bed bed, vec2 xy) {
+ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     // Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink
     // into a hole round each of them.
     float s = 1.0 - bed.clock.x / u_shore_range_m;
     vec3 s_body = d_const(1.0) - bed.smoothed / u_shore_range_m;
-    vec3 early = shore_early(xy);
-    ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0);
+    vec3 early = shore_early(xy, sway);
+    ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0, swash_arrived(early));
     vec3 sea = d_mul(bed.sea, bed.within);
     vec3 masks = vec3(0.0);
     float nearest = 9.0;

@@ -26,6 +26,7 @@ void main() {
 }
 #else
 #include "lib/mesh.glsl"
+#include "lib/sheet.glsl"
 out vec2 v_before;
 out vec3 v_relative;
 
@@ -40,7 +41,7 @@ void main() {
     vec2 shift = (sea.position.xy - v_before) * share;
     float rise = (sea.position.z - u_sea_level_m) * share;
     v_relative = vec3(relative + shift, u_sea_level_m - u_camera.z + rise);
-    gl_Position = u_view_projection * vec4(v_relative, 1.0);
+    gl_Position = u_view_projection * vec4(sheet_pulled(v_relative, sea.sheet), 1.0);
 }
 #endif
 #endif
@@ -53,6 +54,7 @@ void main() {
 #include "lib/sea_material.glsl"
 #include "lib/sea_find.glsl"
 #include "lib/sea_below.glsl"
+#include "lib/sheet.glsl"
 uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
 uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it sinks
@@ -104,6 +106,7 @@ void main() {
 #endif
     fade_surf(sea);
     float away = length(relative), eye_depth = eye_depth_of(relative);
+    if (sheet_ends(sea.sheet, eye_depth, texelFetch(under_eye_depth, ivec2(gl_FragCoord.xy), 0).r)) discard;
     vec3 to_eye = -relative / max(away, 1e-4);
     vec3 position = u_camera + relative;
     float column = water_column(sea, position.z);
@@ -130,7 +133,7 @@ void main() {
     vec4 land = below(normal, eye_depth, away);
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
     float depth = land.w * water_cosine(cosine) * abs(to_eye.z);
-    float thin = smoothstep(0.0, 0.03, land.w);  // D02: at its edge the water blends with what lies below
+    float thin = sheet_share(column, land.w);  // at its edge the water blends with what lies below
     foam.cover *= thin;
     float roughness = water_roughness(u_water_roughness * mix(0.6, 1.0, rippled), lost);
     vec3 sun = sun_radiance() * sun_visibility(position), sky = sky_irradiance(vec3(0.0, 0.0, 1.0));
@@ -146,7 +149,9 @@ void main() {
     from_below = from_below * (1.0 - foam.cover) + crest * (1.0 - 0.55 * foam.cover);
     from_below *= 1.0 - water_fresnel(cosine, roughness) * (1.0 - foam.cover);
     if (u_foam_roughness) roughness = mix(roughness, FOAM_ROUGHNESS, foam.cover);  // D09
-    write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness,
-                          u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
+    Surface surface = Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness, u_water_specular, SEA,
+                              foam.cover, 1.0, from_below, eye_depth, before);
+    sheet_over(land.rgb, thin, cosine, surface);
+    write_gbuffer(surface);
 }
 #endif

@@ -37,10 +37,12 @@ uniform float u_foam_height, u_foam_height_low, u_foam_height_high;
 uniform float u_foam_transient, u_foam_constant, u_foam_shadow, u_foam_shadow_limit_m;
 uniform float u_quiet_foam;
 
+const float FOAM_ASHORE_M = 3.0;  // so far past the still water line the swash takes it along
+
 // Constant foam by the distance to the shore (H18), torn into patches: a ring round the coast would be drawn by a ruler.
 float foam_of_shore(float distance_m, float torn) {
     float near = 1.0 - smoothstep(u_foam_shore_near_m, max(u_foam_shore_far_m, u_foam_shore_near_m + 0.1), distance_m);
-    return u_foam_shore * near * near * torn * step(0.0, distance_m);
+    return u_foam_shore * near * near * torn * smoothstep(-FOAM_ASHORE_M, 0.5 * FOAM_ASHORE_M, distance_m);
 }
 
 // Foam on high water (H18): height against the largest possible sum.
@@ -83,7 +85,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
     // the sheet: dense while it runs up, lace whose holes grow while it drains
     float sheet = exp2(-max(column, 0.0) / 0.13) * shore;
-    float drained = swash_drained(swash_phase(shore_early(sea.position.xy)));
+    float drained = swash_drained(swash_phase(m));
     float lace = sheet * mix(0.22 + 0.50 * torn, 0.30 * torn, smoothstep(0.0, 0.6, drained));
     float edge_m = (m.edge_s - m.s) * u_shore_range_m / steep;
     float rim = shore - shore * smoothstep(0.15, 1.0, edge_m / (mix(0.9, 0.4, drained) + 2.0 * pixel_m + 1.1 * near));
