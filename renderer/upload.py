@@ -21,7 +21,7 @@ from .bounds import HeightBounds
 class Uploader:
     """`textures` by sampler name, `bytes` sent, `sent` by name.
 
-    Names are `u_height`, `u_bed`, `u_beach`, `u_variety`, and when asked for `u_layer_NAME`, `u_walkable`, `u_shore_field`.
+    Names are `u_height`, `u_bed`, `u_beach`, `u_variety`; when asked for `u_layer_NAME`, `u_walkable`, `u_shore_field`.
     """
 
     def __init__(self, ctx) -> None:

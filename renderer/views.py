@@ -107,8 +107,8 @@ VIEWS: dict[str, View] = {
              "vec3(decode_direction(shore_field.gb) * 0.5 + 0.5, 0.5)", "direct", ids="H11 D06"),
         View("beach_slice", "Beach slice", "The beach without rocks, 2 m below the still sea to 2 m above it.",
              "vec3(decode_beach_m(shore_field.a))", "signed", -2, 2, ids="H10"),
-        View("beach_slide", "Beach slide", "Orange where the sheet lies on the sand without thickness, blue where water "
-             "stands over it, half a metre to full; black where nothing holds it.",
+        View("beach_slide", "Beach slide", "Orange where the sheet lies on the sand without thickness, blue where "
+             "water stands over it, half a metre to full; black where nothing holds it.",
              "sea.sheet > 8.0 ? vec3(0.0) : sea.sheet <= 0.0 ? vec3(1.0, 0.5, 0.1)"
              " : mix(vec3(0.6, 0.8, 1.0), vec3(0.0, 0.1, 0.6), clamp(2.0 * sea.sheet, 0.0, 1.0))", "direct", ids="H10"),
         View("shore_phase", "Shore phase", "White where a wave meets the still water line, fading until the next does: "

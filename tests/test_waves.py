@@ -10,7 +10,7 @@ from points import feedback
 from shorewright.level import BadInput
 from shorewright.level.gerstner import AXIS_CLEARANCE_DEG, groups
 from shorewright.level.shore_waves import front_speed_mps
-from shorewright.level.waves import sea_at, surface_at, wave_uniforms
+from shorewright.level.waves import sea_at, surface_at
 
 DAYS = 7 * 86_400.0
 
