@@ -54,6 +54,12 @@ def shore_early(shore: Shore, x, y, sway: Dual, values: np.ndarray) -> Dual:
     return noise + sway * shore.sway
 
 
+def before_waves(shore: Shore, bed: dict[str, Dual]) -> np.ndarray:
+    """True where no wave has come yet: deeper than the tail of the outermost one, where every mask and the lift are 0."""
+    tail = max(shore.gap + 2 * shore.back, shore.gap + shore.width, shore.width + shore.fall)
+    return (not shore.on) | (np.minimum(bed["clock"].v, bed["smoothed"].v) > (1 + tail) * shore.range_m)
+
+
 def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray) -> ShoreMasks:
     """Masks and lift at world points over the bed there (`ShoreMap.at`), with the `sway` there (`BeachMap.at`).
 
@@ -92,8 +98,9 @@ def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, 
     on, moving = float(shore.on), float(shore.on and shore.vertex)
     calm = 1.0 - 0.8 * _step(POOL_M, 5 * POOL_M, drop.v)
     line, back, fall = (mask * calm * sea.v * on for mask in masks)
-    edge_s = 1.0 + (edge - 1.0) * moving
-    return ShoreMasks(a * on, b * on, line, back, fall, lift * moving, edge_s, _arrived(shore, clock, early))
+    come = ~before_waves(shore, bed)
+    edge_s = 1.0 + (edge - 1.0) * moving * come
+    return ShoreMasks(a * on, b * on, line, back, fall, lift * moving, edge_s, _arrived(shore, clock, early) * come)
 
 
 def _step(low: float, high: float, x: np.ndarray) -> np.ndarray:

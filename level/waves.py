@@ -16,8 +16,9 @@ from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, groups, phase_noise
 from .level import Level
 from .noise import lattice
 from .shore import ShoreMap, shore_map
-from .shore_waves import ShoreMasks, clock_uniforms, shore_masks, uprush
+from .shore_waves import ShoreMasks, before_waves, clock_uniforms, shore_masks, uprush
 
+DEEP_M = 4.0  # there is no sand that the slice knows
 INVERSIONS = 12  # fixed-point steps from world xy back to the undeformed point; each shrinks the error by the slope
 
 
@@ -75,7 +76,9 @@ def surface_at(
     lift = masks.lift
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
-    under = np.where(level.settings.shore.slide & (bed["sea"].v > 0), sand.v, NO_BEACH_M)
+    deep = before_waves(level.settings.shore, bed) & (bed["depth"].v > DEEP_M)
+    held = (bed["sea"].v > 0) & level.settings.shore.slide & ~deep
+    under = np.where(held, sand.v, NO_BEACH_M)
     rise = point.z.v + lift.v
     slid = rise < under  # H10: the higher of the two, with its slope
     up_x, up_y = np.where(slid, sand.dx, lift.dx), np.where(slid, sand.dy, lift.dy)

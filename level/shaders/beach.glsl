@@ -12,6 +12,8 @@ struct Beach {
     vec3 sway;
 };
 
+const Beach NO_BEACH = Beach(vec3(NO_BEACH_M, 0.0, 0.0), vec3(0.0));
+
 Beach beach_at(vec2 xy) {
     vec2 size = vec2(textureSize(u_beach, 0));
     vec2 at = xy / u_beach_cell_m;

@@ -85,13 +85,21 @@ vec3 shore_swash(vec2 xy, vec3 early) {
     return d_mul(swash_run(vec3(fract(arrived), early.yz)), swash_reach(xy, wave));
 }
 
+// True where no wave has come yet: it is deeper than the tail of the outermost one, and every mask and the lift are 0.
+bool before_waves(Bed bed) {
+    float tail = max(max(u_shore_gap + 2.0 * u_shore_back, u_shore_gap + u_shore_width), u_shore_width + u_shore_fall);
+    return u_shore_on <= 0.0 || min(bed.clock.x, bed.smoothed.x) > (1.0 + tail) * u_shore_range_m;
+}
+
 ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     // Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink
     // into a hole round each of them.
     float s = 1.0 - bed.clock.x / u_shore_range_m;
     vec3 s_body = d_const(1.0) - bed.smoothed / u_shore_range_m;
+    ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0, 0.0);
+    if (before_waves(bed)) return m;
     vec3 early = shore_early(xy, sway);
-    ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0, swash_arrived(early));
+    m.arrived = swash_arrived(early);
     vec3 sea = d_mul(bed.sea, bed.within);
     vec3 masks = vec3(0.0);
     float nearest = 9.0;

@@ -5,6 +5,8 @@
 
 uniform float u_sea_level_m, u_deep_start_m, u_deep_full_m, u_sea_on, u_wave_height_m;
 
+const float DEEP_M = 4.0;  // there is no sand that the slice knows
+
 struct Sea {
     vec3 position;     // world, after deformation
     vec3 normal;
@@ -29,7 +31,7 @@ Sea sea_surface(vec2 before) {
     Deformed p = gerstner(before, weight);
     vec2 after = vec2(p.x.x, p.y.x);
     Bed bed = bed_at(after);
-    Beach beach = beach_at(after);
+    Beach beach = before_waves(bed) && bed.depth.x > DEEP_M ? NO_BEACH : beach_at(after);
     ShoreMasks shore = shore_masks(bed, beach.sway, after);
     // d lift / d before = d lift / d after · d after / d before
     vec3 lift = shore.lift + d_mul(d_mul(force_lift(after), bed.sea), d_step(0.0, 0.5, bed.depth));

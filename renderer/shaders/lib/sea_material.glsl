@@ -55,6 +55,18 @@ vec2 foam_painted(vec2 painted, ShoreMasks m) {
     return saturate(vec3(painted.x * u_foam_transient * (m.back + m.line + m.fall), painted.y * u_foam_constant, 0.0)).xy;
 }
 
+const float RIDES_S = 0.80, CARRIED_S = 0.96;  // share of the range over which foam begins to ride the sheet
+const float MOST_CARRIED_M = 16.0;             // on a flat it would be torn
+
+// Foam on the beach is carried up with the sheet and back by the shore's own phase (H20).
+void ride_the_sheet(Sea sea, float steep) {
+    ShoreMasks m = sea.shore;
+    float phase = swash_phase(m), share = smoothstep(RIDES_S, CARRIED_S, m.s) * sea.bed.sea.x * u_shore_on * u_shore_vertex;
+    float way_m = min(max(m.edge_s - 1.0, 0.0) * u_shore_range_m / steep, MOST_CARRIED_M);
+    beach_ride = vec3(phase, floor(m.arrived) + float(u_shore_cycle * u_shore_count), share);
+    beach_carried = -sea.bed.smoothed.yz * (way_m * smoothstep(SWASH_S, 1.0, m.s) / max(length(sea.bed.smoothed.yz), 1e-4));
+}
+
 // Foam that the pushed water makes at this pixel (D18).
 float stirred = 0.0;
 
@@ -99,6 +111,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     clean = waves ? clean : 1.0;
     float amount = 1.0 - (1.0 - saturate((1.0 - clean) * u_foam_amount)) * (1.0 - paint * (0.34 + 0.26 * back));
     amount *= 1.0 - u_quiet_foam * current.b;
+    ride_the_sheet(sea, steep);
     vec2 flow = surface_flow(sea) + current.rg;
     Foam foam = foam_at(before, amount, max(crest, rim), rim, flow, u_sun_direction.xy, pixel_m);
     foam.cover = max(foam.cover, veil);

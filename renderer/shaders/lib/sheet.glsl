@@ -10,6 +10,7 @@ const float THIN_M = 0.012;   // from there on the sheet is water
 vec3 sheet_pulled(vec3 relative, float sheet) {
     float away = max(length(relative), 1e-3);
     float pull = u_shore_slide * PULL_M * (1.0 - smoothstep(0.5 * SHALLOW_M, SHALLOW_M, sheet));
+    pull *= 2.0 * smoothstep(-0.5 * PULL_M, 0.0, sheet) - 1.0;  // where it lies on the sand nobody sees it
     return relative * (1.0 - min(pull / away, 0.3));
 }
 #endif
