@@ -55,7 +55,7 @@ def shore_early(shore: Shore, x, y, sway: Dual, values: np.ndarray) -> Dual:
 
 
 def before_waves(shore: Shore, bed: dict[str, Dual]) -> np.ndarray:
-    """True where no wave has come yet: deeper than the tail of the outermost one, where every mask and the lift are 0."""
+    """True where no wave has come yet: deeper than the tail of the outermost one, so every mask and the lift are 0."""
     tail = max(shore.gap + 2 * shore.back, shore.gap + shore.width, shore.width + shore.fall)
     return (not shore.on) | (np.minimum(bed["clock"].v, bed["smoothed"].v) > (1 + tail) * shore.range_m)
 
