@@ -50,10 +50,10 @@ def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
 
 def _offshore(level: Level, shore: ShoreMap, fronts: list[Fronts], t: float, x, y) -> tuple[Deformed, Dual]:
     weight = _weight(level, shore.at(x, y))
-    noise = phase_noise(level.settings.sea, lattice(level.settings.level.seed), x, y)
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
     for group in fronts:
-        point = deform(point, group, t, weight, noise)
+        noises = [phase_noise(level.settings.sea, group, i, x, y) for i in range(len(group.length_m))]
+        point = deform(point, group, t, weight, noises)
     return point, weight
 
 
@@ -119,22 +119,19 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
     """The value of every uniform that the level's GLSL declares, samplers excepted, at time t."""
     settings = level.settings
     sea, shore = settings.sea, settings.shore
-    way, size = [], []
+    way, size, turn = [], [], []
     for fronts in groups(sea, settings.level.seed):
         for i, length in enumerate(fronts.length_m):
             east, north = fronts.east[i], fronts.north[i]
             phase = fronts.omega[i] * t / (2 * np.pi)
             way.append((east / length, north / length, phase - np.floor(phase), 2 * np.pi / length))
+            turn.append((sea.phase_noise * PHASE_GAIN[len(fronts.length_m)][i], fronts.begin[i]))
             size.append((fronts.amplitude_m[i], fronts.lateral_m[i], east, north))
     names = ("range_m", "width", "gap", "runup", "back", "fall", "height_m", "draw_m", "fade_in", "fade_out")
     return {
         "u_front_way": np.array(way, np.float32),
         "u_front_size": np.array(size, np.float32),
-        "u_front_turn": np.array(
-            [gain for fronts in groups(sea, settings.level.seed) for gain in PHASE_GAIN[len(fronts.length_m)]],
-            np.float32,
-        )
-        * sea.phase_noise,
+        "u_front_turn": np.array(turn, np.float32),
         "u_phase_noise_m": sea.phase_noise_m,
         **clock_uniforms(shore, t),
         **{f"u_shore_{name}": float(getattr(shore, name)) for name in names},

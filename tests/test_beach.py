@@ -10,6 +10,7 @@ from shorewright.level.beach_map import NO_BEACH_M, beach_map
 from shorewright.level.pick import ground_at
 from shorewright.level.shore import shore_map
 from shorewright.level.shore_field import decode_beach_m, shore_field
+from shorewright.level.shore_waves import before_waves
 from shorewright.level.waves import sea_at, surface_at
 from shorewright.renderer import render
 
@@ -149,3 +150,20 @@ def test_the_picture_shows_water_where_the_twin_has_some(renderer, quality, time
     assert wet[sheet > 0.04].mean() > 0.995
     assert wet[sheet < -0.02].mean() < 0.005
     assert min(wet.mean(), 1 - wet.mean()) > 0.1
+
+
+@pytest.mark.parametrize("settings", [{}, {"back": 0.8, "gap": 0.3}, {"width": 0.8, "back": 0.02}, {"fall": 0.3}])
+def test_before_the_first_wave_every_mask_is_nothing(settings):
+    """D03: what the shader leaves out there is exactly 0."""
+    level = make_beach(rows=401, slope=0.08, sway=0.4)
+    for name, value in settings.items():
+        level.set(f"shore.{name}", value)
+    x, y = np.random.default_rng(8).uniform((2, 2), (158, 200), (6000, 2)).T
+    bed = shore_map(level).at(x, y)
+    out = before_waves(level.settings.shore, bed)
+    assert out.any()
+    assert (~out).any()
+    for t in np.linspace(0, 27, 9):
+        masks = sea_at(level, t, x, y).shore
+        for mask in (masks.a, masks.b, masks.line, masks.back, masks.fall, masks.lift.v, masks.lift.dx, masks.lift.dy):
+            assert not mask[out].any()
