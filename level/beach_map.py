@@ -91,10 +91,10 @@ def _sand(level: Level, source: ShoreField, rect: Rect) -> np.ndarray:
 
     The slice is smooth: in the corner below a cliff it runs above the ground, and would hold the water off it.
     """
-    alpha = source.packed[(*rect.slices, 3)]
-    sand = decode_beach_m(alpha) - BEACH_M / 256
-    sand = np.minimum(sand, source.ground(level, rect)) - BENEATH_M
-    return np.where((alpha == 0) | (alpha == 255), NO_BEACH_M, sand)
+    lower = (decode_beach_m(np.arange(256)) - BEACH_M / 256 - BENEATH_M).astype(np.float32)
+    lower[[0, 255]] = NO_BEACH_M
+    sand = lower[source.packed[(*rect.slices, 3)]]
+    return np.minimum(sand, source.ground(level, rect) - np.float32(BENEATH_M))
 
 
 def _sway(source: ShoreField, rect: Rect, length_m: float) -> np.ndarray:
@@ -105,7 +105,10 @@ def _sway(source: ShoreField, rect: Rect, length_m: float) -> np.ndarray:
     east, north = direction(distance, source.cell_m) * distance
     x = (np.arange(wide.col0, wide.col1, dtype=np.float32) * np.float32(source.cell_m))[None] + east
     y = (np.arange(wide.row0, wide.row1, dtype=np.float32) * np.float32(source.cell_m))[:, None] + north
-    sway = sum(np.cos((2 * np.pi / (part * length_m)) * (a * x + b * y)) for part, a, b in TURNS) / len(TURNS)
+    waves = [
+        np.float32(2 * np.pi / (part * length_m)) * (np.float32(a) * x + np.float32(b) * y) for part, a, b in TURNS
+    ]
+    sway = sum(np.cos(wave) for wave in waves) / np.float32(len(TURNS))
     near = np.clip((1 - np.abs(distance) / source.range_m) / FADE, 0, 1)
     sway = (sway * (near * near * (3 - 2 * near))).astype(np.float32)
     smooth = ndimage.gaussian_filter(sway, SMOOTH_M / source.cell_m, mode="nearest", truncate=TRUNCATE)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from coasts import make_beach
-from points import feedback
+from points import feedback, transform
 from scenes import SIZE, camera, coast, is_sea
 from shorewright.level import Level, Rect
 from shorewright.level.beach_map import NO_BEACH_M, beach_map
@@ -167,3 +167,34 @@ def test_before_the_first_wave_every_mask_is_nothing(settings):
         masks = sea_at(level, t, x, y).shore
         for mask in (masks.a, masks.b, masks.line, masks.back, masks.fall, masks.lift.v, masks.lift.dx, masks.lift.dy):
             assert not mask[out].any()
+
+
+COPIES = """
+in vec2 in_at; out vec4 v_places; out float v_second;
+#include "lib/foam_beach.glsl"
+void main() {
+    beach_ride = vec3(fract(in_at.x), floor(in_at.x), 1.0);
+    beach_carried = vec2(0.0, in_at.y);
+    vec2 first, second;
+    beach_places(vec2(5.0, 3.0), 9.0, vec2(0.24, 0.2083), vec2(0.37, 0.61), first, second, v_second);
+    v_places = vec4(first, second);
+}
+"""
+
+
+@pytest.mark.gl
+def test_foam_rides_the_beach_in_two_copies_that_cross_fade(ctx):
+    """H20: weights 1 − |2φ − 1| at φ and φ + ½; a copy starts elsewhere only while its weight is 0, and else it goes
+    with the sheet."""
+    waves = np.arange(3.0, 6.0, 1 / 256)
+    carried = 7 * np.sin(waves)
+    got = transform(ctx, COPIES, np.stack([waves, carried], 1), {"v_places": 4, "v_second": 1}, {}, {})
+    first, second, weight = got[:, :2], got[:, 2:4], got[:, 4]
+    phase = waves % 1
+    np.testing.assert_allclose(1 - weight, 1 - np.abs(2 * phase - 1), atol=1e-6)
+    np.testing.assert_allclose(weight, 1 - np.abs(2 * ((phase + 0.5) % 1) - 1), atol=1e-6)
+    for copy, share in ((first, 1 - weight), (second, weight)):
+        at = copy * 9.0 + np.stack([np.zeros_like(carried), carried], 1)  # without what the sheet carries
+        starts = np.abs(np.diff(at, axis=0)).max(axis=1) > 1e-3
+        assert starts.sum() >= 2
+        assert share[1:][starts].max() == 0
