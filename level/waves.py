@@ -57,41 +57,50 @@ def _offshore(level: Level, shore: ShoreMap, fronts: list[Fronts], t: float, x, 
     return point, weight
 
 
+def _under(level: Level, bed: dict[str, Dual], sand: Dual) -> np.ndarray:
+    """The sand that the sheet slides on, over the still sea: only where the sea comes (H10)."""
+    shore = level.settings.shore
+    deep = before_waves(shore, bed) & (bed["depth"].v > DEEP_M)
+    return np.where((bed["sea"].v > 0) & shore.slide & ~deep, sand.v, NO_BEACH_M)
+
+
+def _normal(point: Deformed, slope_x: np.ndarray, slope_y: np.ndarray) -> np.ndarray:
+    """From how position and height change with the undeformed x and y (H29)."""
+    east = np.stack(np.broadcast_arrays(point.x.dx, point.y.dx, slope_x), -1)
+    north = np.stack(np.broadcast_arrays(point.x.dy, point.y.dy, slope_y), -1)
+    normal = np.cross(east, north)
+    return normal / np.linalg.norm(normal, axis=-1, keepdims=True)
+
+
 def surface_at(
-    level: Level, t: float, before_x, before_y, skip_chop: bool = False, force: ForceField | None = None
+    level: Level, t: float, before_x, before_y, skip_chop: bool = False, force: ForceField | None = None,
+    contact: np.ndarray | float = 1.0,
 ) -> SeaSample:  # fmt: skip
     """The surface that the undeformed points `before_x, before_y` (world metres, arrays) are carried to at time t.
 
-    `skip_chop` leaves out the high group, as physics may (H22); `force` adds what that field lifts (D18).
+    `skip_chop` leaves out the high group, as physics may (H22); `force` adds what that field lifts (D18); `contact` is
+    how far the sand holds the sheet (H10).
     """
     x, y = np.broadcast_arrays(np.asarray(before_x, np.float64), np.asarray(before_y, np.float64))
-    shore = shore_map(level)
+    shore, values = shore_map(level), lattice(level.settings.level.seed)
     fronts = groups(level.settings.sea, level.settings.level.seed)[1 if skip_chop else 0 :]
     point, weight = _offshore(level, shore, fronts, t, x, y)
     after_x, after_y = point.x.v, point.y.v
     bed = shore.at(after_x, after_y)
-    values = lattice(level.settings.level.seed)
     sand, sway = beach_map(level).at(after_x, after_y)
     masks = shore_masks(level.settings.shore, t, bed, after_x, after_y, sway, values)
     lift = masks.lift
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
-    deep = before_waves(level.settings.shore, bed) & (bed["depth"].v > DEEP_M)
-    held = (bed["sea"].v > 0) & level.settings.shore.slide & ~deep
-    under = np.where(held, sand.v, NO_BEACH_M)
-    rise = point.z.v + lift.v
-    slid = rise < under  # H10: the higher of the two, with its slope
-    up_x, up_y = np.where(slid, sand.dx, lift.dx), np.where(slid, sand.dy, lift.dy)
-    slope_x = np.where(slid, 0, point.z.dx) + up_x * point.x.dx + up_y * point.y.dx
-    slope_y = np.where(slid, 0, point.z.dy) + up_x * point.x.dy + up_y * point.y.dy
-    east = np.stack(np.broadcast_arrays(point.x.dx, point.y.dx, slope_x), -1)
-    north = np.stack(np.broadcast_arrays(point.x.dy, point.y.dy, slope_y), -1)
-    normal = np.cross(east, north)
-    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-    height = level.sea_level_m + np.maximum(rise, under)
+    sheet = point.z.v + lift.v - _under(level, bed, sand)
+    held = np.where(sheet < 0, contact, 0.0)  # H10: the higher of the two, with its slope
+    up_x, up_y = (wave + held * (land - wave) for wave, land in ((lift.dx, sand.dx), (lift.dy, sand.dy)))
+    slope_x = (1 - held) * point.z.dx + up_x * point.x.dx + up_y * point.y.dx
+    slope_y = (1 - held) * point.z.dy + up_x * point.x.dy + up_y * point.y.dy
     return SeaSample(
-        after_x, after_y, height, normal, x, y, weight.v, masks, bed["depth"].v, bed["clock"].v, rise - under
-    )
+        after_x, after_y, level.sea_level_m + point.z.v + lift.v - held * sheet, _normal(point, slope_x, slope_y), x, y,
+        weight.v, masks, bed["depth"].v, bed["clock"].v, sheet,
+    )  # fmt: skip
 
 
 def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceField | None = None) -> SeaSample:

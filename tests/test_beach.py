@@ -83,6 +83,16 @@ def test_the_slide_leaves_water_as_it_is():
     assert np.median(lying) > -1.5 * QUANTUM_M
 
 
+def test_contact_says_how_far_the_sand_holds_the_sheet():
+    """H10: 0 is the wave alone, ½ half way between it and the sand."""
+    level = rocky_beach()
+    x, y = (v.astype(np.float64) for v in on_the_beach(1000))
+    held, half, free = (surface_at(level, 5.0, x, y, contact=contact) for contact in (1.0, 0.5, 0.0))
+    np.testing.assert_allclose(half.height_m, 0.5 * (held.height_m + free.height_m), atol=1e-9)
+    level.set("shore.slide", False)
+    assert np.array_equal(free.height_m, surface_at(level, 5.0, x, y).height_m)
+
+
 def test_rocks_poke_through_and_slices_end_at_two_metres():
     """H10: the sand has no rocks; 2 m above and below the still sea nothing holds the surface."""
     level = rocky_beach()

@@ -5,6 +5,9 @@
 
 uniform float u_sea_level_m, u_deep_start_m, u_deep_full_m, u_sea_on, u_wave_height_m;
 
+// How far the sand holds the sheet: a drawing shader lowers it where its patch of the sea has no contact with the beach.
+float beach_contact = 1.0;
+
 const float DEEP_M = 4.0;  // there is no sand that the slice knows
 
 struct Sea {
@@ -36,10 +39,10 @@ Sea sea_surface(vec2 before) {
     // d lift / d before = d lift / d after · d after / d before
     vec3 lift = shore.lift + d_mul(d_mul(force_lift(after), bed.sea), d_step(0.0, 0.5, bed.depth));
     float rise = p.z.x + lift.x, sheet = rise - beach_under(bed, beach);
-    bool slid = sheet < 0.0;  // H10: the higher of the two, with its slope
-    vec2 up = slid ? beach.sand.yz : lift.yz;
-    vec2 slope = (slid ? vec2(0.0) : p.z.yz) + vec2(dot(up, vec2(p.x.y, p.y.y)), dot(up, vec2(p.x.z, p.y.z)));
+    float held = sheet < 0.0 ? beach_contact : 0.0;  // H10: the higher of the two, with its slope
+    vec2 up = mix(lift.yz, beach.sand.yz, held);
+    vec2 slope = (1.0 - held) * p.z.yz + vec2(dot(up, vec2(p.x.y, p.y.y)), dot(up, vec2(p.x.z, p.y.z)));
     vec3 normal = normalize(cross(vec3(p.x.y, p.y.y, slope.x), vec3(p.x.z, p.y.z, slope.y)));
-    return Sea(vec3(after, u_sea_level_m + rise - min(sheet, 0.0)), normal, before,
+    return Sea(vec3(after, u_sea_level_m + rise - held * sheet), normal, before,
                clamp(rise / u_wave_height_m, -1.0, 1.0), weight.x, shore, bed, sheet);
 }
