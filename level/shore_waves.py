@@ -146,6 +146,7 @@ def _arrived(shore: Shore, clock: dict, early: Dual) -> np.ndarray:
 def _swash(shore: Shore, clock: dict, early: Dual, values: np.ndarray, x, y) -> Dual:
     """How far the swash has run, 1 at the run-up limit: up with the front, back before the next one (D10).
 
+    It starts with the speed of its front, and gravity stops it: no corner where neighbours turn at different times.
     The wave that is here now is the one whose front passed the water line last, and reaches as far as it is tall.
     """
     arrived = _arrived(shore, clock, early)
@@ -153,7 +154,8 @@ def _swash(shore: Shore, clock: dict, early: Dual, values: np.ndarray, x, y) -> 
     wave = clock["u_shore_cycle"] * shore.count + np.floor(arrived).astype(np.int64)
     reach = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.runup_variety
     up = uprush(shore)
-    rising = q * (1 / up)
+    u = q * (1 / up)
+    rising = u * (1.0 + u * (1.0 - u))
     falling = 1.0 - step(up, 1.0, q)
     going_up = q.v < up
     run = Dual(*(np.where(going_up, m, n) for m, n in zip(_parts(rising), _parts(falling), strict=True)))

@@ -10,7 +10,7 @@ from shorewright.level.beach_map import NO_BEACH_M, beach_map
 from shorewright.level.pick import ground_at
 from shorewright.level.shore import shore_map
 from shorewright.level.shore_field import decode_beach_m, shore_field
-from shorewright.level.shore_waves import before_waves
+from shorewright.level.shore_waves import before_waves, uprush
 from shorewright.level.waves import sea_at, surface_at
 from shorewright.renderer import render
 
@@ -91,6 +91,24 @@ def test_contact_says_how_far_the_sand_holds_the_sheet():
     np.testing.assert_allclose(half.height_m, 0.5 * (held.height_m + free.height_m), atol=1e-9)
     level.set("shore.slide", False)
     assert np.array_equal(free.height_m, surface_at(level, 5.0, x, y).height_m)
+
+
+def test_the_sheet_starts_with_its_front_and_is_stopped_by_gravity():
+    """D10: at the still water line the edge goes as fast as the front, at its furthest point it stands."""
+    level = make_beach(rows=257, slope=0.05)
+    shore = level.settings.shore
+    arrival = shore.count / (1 + shore.runup) * shore.interval_s
+    up_s = uprush(shore) * shore.interval_s
+    spot = np.array([80.0]), np.array([130.0])
+
+    def edge(t):
+        return float(sea_at(level, t, *spot).shore.edge_s[0])
+
+    front_per_s = (1 + shore.runup) / (shore.count * shore.interval_s)
+    assert (edge(arrival + 0.02) - edge(arrival + 0.01)) / 0.01 == pytest.approx(front_per_s, rel=0.03)
+    speeds = [abs(edge(arrival + up_s + k) - edge(arrival + up_s - k)) / (2 * k) for k in (0.01, 0.02)]
+    assert max(speeds) < 0.02 * front_per_s
+    assert edge(arrival + up_s) == pytest.approx(1 + shore.runup, rel=1e-6)
 
 
 def test_rocks_poke_through_and_slices_end_at_two_metres():

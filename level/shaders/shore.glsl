@@ -70,9 +70,12 @@ float swash_arrived(vec3 early) {
     return u_shore_clock * float(u_shore_count) + early.x - float(u_shore_count) / (1.0 + u_shore_runup);
 }
 
-// How far along its way up and back a wave is at phase q: 0 at the still water line, 1 where it turns.
+// How far along its way up and back a wave is at phase q: 0 at the still water line, 1 where it turns. It goes up with the
+// speed of its front, and gravity stops it.
 vec3 swash_run(vec3 q) {
-    return q.x < u_shore_uprush ? q / u_shore_uprush : d_const(1.0) - d_step(u_shore_uprush, 1.0, q);
+    if (q.x >= u_shore_uprush) return d_const(1.0) - d_step(u_shore_uprush, 1.0, q);
+    vec3 u = q / u_shore_uprush;
+    return vec3(u.x * (1.0 + u.x * (1.0 - u.x)), (1.0 + u.x * (2.0 - 3.0 * u.x)) * u.yz);
 }
 
 // Where the wave of this number turns, against the run-up limit.

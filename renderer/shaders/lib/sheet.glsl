@@ -19,7 +19,7 @@ vec3 sheet_pulled(vec3 relative, float sheet) {
 #include "lib/gbuffer.glsl"
 #ifdef PLATE
 uniform sampler2D under_normal;  // of the land, and its roughness
-const float LAND_SPECULAR = 0.024;  // of wet sand
+const float LAND_SPECULAR = 0.02;  // of the film on it
 #endif
 
 // True where no water stands before the land at this pixel, whose land is `land_depth` along the view, 0 for none.
