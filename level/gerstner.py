@@ -11,15 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 
 from .dual import Dual
-from .noise import value_noise
 from .settings import Sea
 
 GRAVITY = 9.81
 SHARES = {3: (0.5, 0.28, 0.22), 5: (0.26, 0.22, 0.2, 0.17, 0.15)}  # of the group's amplitude, the first front leads
 AXIS_CLEARANCE_DEG = 6.0
-# H07: one broad noise moves the crests; by front differently far and to either side, or rows would stay rows
+# H07: how far noise bends the crests, by front differently far and to either side
 PHASE_GAIN = {5: (1.0, -0.7, 0.85, -1.0, 0.6), 3: (1.0, -0.85, 0.7)}
-PHASE_SHIFT = (23, 5)  # where on the level's lattice that noise begins
 
 
 @dataclass(frozen=True)
@@ -32,6 +30,7 @@ class Fronts:
     omega: np.ndarray
     amplitude_m: np.ndarray
     lateral_m: np.ndarray
+    begin: np.ndarray  # where along its crests each front's noise begins, in cycles
 
     @property
     def rms_m(self) -> float:
@@ -48,6 +47,7 @@ def _off_axis(heading_deg: float) -> float:
 
 def _group(count, heading_deg, amplitude_m, length_m, speed, steepness, variance, rng) -> Fronts:
     wobble = rng.uniform(-1, 1, (3, count))
+    begin = np.mod(np.arange(count) * 0.618034 + wobble[0], 1.0)
     spread = 360.0 / count
     headings = [_off_axis(heading_deg + i * spread + variance * 0.28 * spread * wobble[0, i]) for i in range(count)]
     heading = np.radians(headings)
@@ -57,7 +57,7 @@ def _group(count, heading_deg, amplitude_m, length_m, speed, steepness, variance
     k = 2 * np.pi / length
     # Past 1 / (k n) the crest would fold over itself; Finch, equation 9 and the text below it.
     lateral = np.minimum(2 * steepness * amplitude, 0.9 / (k * count))
-    return Fronts(np.sin(heading), np.cos(heading), length, speed * np.sqrt(GRAVITY * k), amplitude, lateral)
+    return Fronts(np.sin(heading), np.cos(heading), length, speed * np.sqrt(GRAVITY * k), amplitude, lateral, begin)
 
 
 def groups(sea: Sea, seed: int) -> list[Fronts]:
@@ -83,26 +83,38 @@ class Deformed:
     z: Dual
 
 
-def phase_noise(sea: Sea, values: np.ndarray, x: np.ndarray, y: np.ndarray) -> Dual:
-    """How far crests are moved at undeformed points, in wavelengths, with its gradient (H07).
+def _crest_bend(cycles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """A smooth rise and fall over one cycle, 0 … 1, and how it changes."""
+    f = cycles - np.floor(cycles)
+    t = np.abs(2 * f - 1)
+    return t * t * (3 - 2 * t), np.where(f < 0.5, -12.0, 12.0) * t * (1 - t)
 
-    It moves the phase, not the height: a train keeps its energy, its rows lose their straight lines.
+
+def phase_noise(sea: Sea, fronts: Fronts, i: int, x: np.ndarray, y: np.ndarray) -> Dual:
+    """How far ahead front i of a group is at undeformed points, in wavelengths, with its gradient (H07).
+
+    Two lengths in the golden ratio along the crests, constant along their way: crests bend, and none changes its speed
+    or its height.
     """
-    return (value_noise(values, x, y, sea.phase_noise_m, PHASE_SHIFT) - 0.5) * sea.phase_noise
+    crest_x, crest_y = fronts.north[i], -fronts.east[i]
+    along = 0.5 * (x * crest_x + y * crest_y) / sea.phase_noise_m
+    one, two = _crest_bend(along + fronts.begin[i]), _crest_bend(0.618034 * along - fronts.begin[i])
+    gain = sea.phase_noise * PHASE_GAIN[len(fronts.length_m)][i]
+    steep = gain * 0.25 * (one[1] + 0.618034 * two[1]) / sea.phase_noise_m
+    return Dual(gain * (0.5 * (one[0] + two[0]) - 0.5), steep * crest_x, steep * crest_y)
 
 
-def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noise: Dual) -> Deformed:
-    """Add one group to a point; gradients go through the chain rule (H29); `noise` is `phase_noise` there."""
+def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list[Dual]) -> Deformed:
+    """Add one group to a point; gradients go through the chain rule (H29); `noises`, by front: `phase_noise` there."""
     dx, dy, dz = Dual(0.0), Dual(0.0), Dual(0.0)
-    gains = PHASE_GAIN[len(fronts.length_m)]
     for i in range(len(fronts.length_m)):
         east, north, k = fronts.east[i], fronts.north[i], 2 * np.pi / fronts.length_m[i]
         cycles = (east * point.x.v + north * point.y.v) / fronts.length_m[i]
-        cycles = cycles - np.mod(fronts.omega[i] * t / (2 * np.pi), 1.0) + gains[i] * noise.v
+        cycles = cycles - np.mod(fronts.omega[i] * t / (2 * np.pi), 1.0) + noises[i].v
         theta = 2 * np.pi * (cycles - np.floor(cycles))
         sin, cos = np.sin(theta), np.cos(theta)
-        slope_x = k * (east * point.x.dx + north * point.y.dx) + 2 * np.pi * gains[i] * noise.dx
-        slope_y = k * (east * point.x.dy + north * point.y.dy) + 2 * np.pi * gains[i] * noise.dy
+        slope_x = k * (east * point.x.dx + north * point.y.dx) + 2 * np.pi * noises[i].dx
+        slope_y = k * (east * point.x.dy + north * point.y.dy) + 2 * np.pi * noises[i].dy
         lateral = Dual(
             fronts.lateral_m[i] * cos, -fronts.lateral_m[i] * sin * slope_x, -fronts.lateral_m[i] * sin * slope_y
         )

@@ -36,9 +36,9 @@ class Sea(Section):
     )
     variance: float = param(0.35, 0, 1, "", "How far single fronts leave their group's amplitude, length and heading.")
     phase_noise: float = param(
-        0.15, 0, 2, "", "How far a broad noise moves single crests along their way, in wavelengths.", soft=(0, 1)
+        0.15, 0, 2, "", "How far noise bends the crests of single fronts, in wavelengths.", soft=(0, 1)
     )
-    phase_noise_m: float = param(170.0, 10, 5000, "m", "Size of that noise.", soft=(50, 600))
+    phase_noise_m: float = param(170.0, 10, 5000, "m", "Length of that noise along the crests.", soft=(50, 600))
     mesh: Literal["auto", "grid", "tessellated"] = param(
         "auto", doc="How the mesh gets fine: from grids, or tessellated; auto tessellates on graphics hardware."
     )

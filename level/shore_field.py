@@ -54,6 +54,13 @@ class ShoreField:
             return [Rect(0, 0, *self.packed.shape[:2])]
         return [rect for at, rect in self.log if at > revision]
 
+    def ground(self, level: Level, rect: Rect) -> np.ndarray:
+        """Ground over the still sea at the texels of `rect`, m."""
+        cells = Rect(rect.row0 // self.times, rect.col0 // self.times,
+                     -(-(rect.row1 - 1) // self.times) + 1, -(-(rect.col1 - 1) // self.times) + 1)  # fmt: skip
+        every = _texels(cells, self.times)
+        return _finer(-_depth(level, self.stride, cells), self.times)[rect.shifted(every).slices]
+
 
 # How the packed copy is read: the same names and formulas as in renderer/shaders/lib/shore_field.glsl
 

@@ -22,7 +22,10 @@ SWASH_S = 0.55  # from here to the water line the level follows the swash
 
 @dataclass
 class ShoreMasks:
-    """Masks at some points; `lift` is height over the still sea with its gradient, `edge_s` the water's edge."""
+    """Masks at some points; `lift` is height over the still sea with its gradient, `edge_s` the water's edge.
+
+    `arrived` counts the waves that have passed the still water line: its fraction is the phase of beach and sand (H20).
+    """
 
     a: np.ndarray
     b: np.ndarray
@@ -31,6 +34,7 @@ class ShoreMasks:
     fall: np.ndarray
     lift: Dual
     edge_s: np.ndarray
+    arrived: np.ndarray
 
 
 def clock_uniforms(shore: Shore, t: float) -> dict[str, float | int]:
@@ -44,8 +48,22 @@ def uprush(shore: Shore) -> float:
     return min(max(shore.count * shore.runup / (1 + shore.runup), 1e-3), 0.85)
 
 
-def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, values: np.ndarray) -> ShoreMasks:
-    """Masks and lift at world points over the bed there (`ShoreMap.at`); `values` is the level's noise lattice.
+def shore_early(shore: Shore, x, y, sway: Dual, values: np.ndarray) -> Dual:
+    """How much earlier waves arrive at a place, in intervals: noise, and the sway along the shore (H20)."""
+    noise = (value_noise(values, x, y, 3 * shore.variety_m, (11, 37)) - 0.5) * (2 * shore.stagger)
+    return noise + sway * shore.sway
+
+
+def before_waves(shore: Shore, bed: dict[str, Dual]) -> np.ndarray:
+    """True where no wave has come yet: deeper than the tail of the outermost one, so every mask and the lift are 0."""
+    tail = max(shore.gap + 2 * shore.back, shore.gap + shore.width, shore.width + shore.fall)
+    return (not shore.on) | (np.minimum(bed["clock"].v, bed["smoothed"].v) > (1 + tail) * shore.range_m)
+
+
+def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray) -> ShoreMasks:
+    """Masks and lift at world points over the bed there (`ShoreMap.at`), with the `sway` there (`BeachMap.at`).
+
+    `values` is the level's noise lattice.
 
     Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink into
     a hole round each of them.
@@ -54,7 +72,7 @@ def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, values: np.n
     s = 1.0 - bed["clock"].v / shore.range_m
     s_body = 1.0 - bed["smoothed"] * (1 / shore.range_m)
     sea = bed["sea"] * bed["within"]
-    early = (value_noise(values, x, y, 3 * shore.variety_m, (11, 37)) - 0.5) * (2 * shore.stagger)
+    early = shore_early(shore, x, y, sway, values)
     nearest = np.full(np.shape(s), 9.0)
     a, b, *masks = np.zeros((5, *np.shape(s)))
     lift = Dual(*np.zeros((3, *np.shape(s))))
@@ -80,7 +98,9 @@ def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, values: np.n
     on, moving = float(shore.on), float(shore.on and shore.vertex)
     calm = 1.0 - 0.8 * _step(POOL_M, 5 * POOL_M, drop.v)
     line, back, fall = (mask * calm * sea.v * on for mask in masks)
-    return ShoreMasks(a * on, b * on, line, back, fall, lift * moving, 1.0 + (edge - 1.0) * moving)
+    come = ~before_waves(shore, bed)
+    edge_s = 1.0 + (edge - 1.0) * moving * come
+    return ShoreMasks(a * on, b * on, line, back, fall, lift * moving, edge_s, _arrived(shore, clock, early) * come)
 
 
 def _step(low: float, high: float, x: np.ndarray) -> np.ndarray:
@@ -118,17 +138,24 @@ def _wave_noise(shore: Shore, values: np.ndarray, x, y, wave) -> Dual:
     return value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
 
 
+def _arrived(shore: Shore, clock: dict, early: Dual) -> np.ndarray:
+    """Waves that have passed the still water line since the cycle began."""
+    return clock["u_shore_clock"] * shore.count + early.v - shore.count / (1 + shore.runup)
+
+
 def _swash(shore: Shore, clock: dict, early: Dual, values: np.ndarray, x, y) -> Dual:
     """How far the swash has run, 1 at the run-up limit: up with the front, back before the next one (D10).
 
+    It starts with the speed of its front, and gravity stops it: no corner where neighbours turn at different times.
     The wave that is here now is the one whose front passed the water line last, and reaches as far as it is tall.
     """
-    arrived = clock["u_shore_clock"] * shore.count + early.v - shore.count / (1 + shore.runup)
+    arrived = _arrived(shore, clock, early)
     q = Dual(arrived - np.floor(arrived), early.dx, early.dy)
     wave = clock["u_shore_cycle"] * shore.count + np.floor(arrived).astype(np.int64)
     reach = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.runup_variety
     up = uprush(shore)
-    rising = q * (1 / up)
+    u = q * (1 / up)
+    rising = u * (1.0 + u * (1.0 - u))
     falling = 1.0 - step(up, 1.0, q)
     going_up = q.v < up
     run = Dual(*(np.where(going_up, m, n) for m, n in zip(_parts(rising), _parts(falling), strict=True)))

@@ -9,21 +9,26 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .beach_map import NO_BEACH_M, beach_map
 from .dual import Dual, step
 from .force import ForceField
 from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, groups, phase_noise
 from .level import Level
 from .noise import lattice
-from .patches import patch_shore, patch_uniforms
+from .patches import beach_contact, patch_shore, patch_uniforms
 from .shore import ShoreMap, shore_map
-from .shore_waves import ShoreMasks, clock_uniforms, shore_masks, uprush
+from .shore_waves import ShoreMasks, before_waves, clock_uniforms, shore_masks, uprush
 
+DEEP_M = 4.0  # there is no sand that the slice knows
 INVERSIONS = 12  # fixed-point steps from world xy back to the undeformed point; each shrinks the error by the slope
 
 
 @dataclass
 class SeaSample:
-    """The surface at some points, arrays of one shape; metres; `normal` has a last axis of 3."""
+    """The surface at some points, arrays of one shape; metres; `normal` has a last axis of 3.
+
+    `sheet_m` is the water over the sand; at or below 0 the sheet lies on it without thickness (H10).
+    """
 
     x: np.ndarray
     y: np.ndarray
@@ -35,6 +40,7 @@ class SeaSample:
     shore: ShoreMasks
     depth_m: np.ndarray
     clock_depth_m: np.ndarray
+    sheet_m: np.ndarray
 
 
 def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
@@ -45,11 +51,26 @@ def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
 
 def _offshore(level: Level, shore: ShoreMap, fronts: list[Fronts], t: float, x, y) -> tuple[Deformed, Dual]:
     weight = _weight(level, shore.at(x, y))
-    noise = phase_noise(level.settings.sea, lattice(level.settings.level.seed), x, y)
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
     for group in fronts:
-        point = deform(point, group, t, weight, noise)
+        noises = [phase_noise(level.settings.sea, group, i, x, y) for i in range(len(group.length_m))]
+        point = deform(point, group, t, weight, noises)
     return point, weight
+
+
+def _under(level: Level, bed: dict[str, Dual], sand: Dual) -> np.ndarray:
+    """The sand that the sheet slides on, over the still sea: only where the sea comes (H10)."""
+    shore = level.settings.shore
+    deep = before_waves(shore, bed) & (bed["depth"].v > DEEP_M)
+    return np.where((bed["sea"].v > 0) & shore.slide & ~deep, sand.v, NO_BEACH_M)
+
+
+def _normal(point: Deformed, slope_x: np.ndarray, slope_y: np.ndarray) -> np.ndarray:
+    """From how position and height change with the undeformed x and y (H29)."""
+    east = np.stack(np.broadcast_arrays(point.x.dx, point.y.dx, slope_x), -1)
+    north = np.stack(np.broadcast_arrays(point.x.dy, point.y.dy, slope_y), -1)
+    normal = np.cross(east, north)
+    return normal / np.linalg.norm(normal, axis=-1, keepdims=True)
 
 
 def surface_at(
@@ -60,25 +81,27 @@ def surface_at(
     `skip_chop` leaves out the high group, as physics may (H22); `force` adds what that field lifts (D18).
     """
     x, y = np.broadcast_arrays(np.asarray(before_x, np.float64), np.asarray(before_y, np.float64))
-    shore = shore_map(level)
+    shore, values = shore_map(level), lattice(level.settings.level.seed)
     fronts = groups(level.settings.sea, level.settings.level.seed)[1 if skip_chop else 0 :]
     point, weight = _offshore(level, shore, fronts, t, x, y)
     after_x, after_y = point.x.v, point.y.v
     bed = shore.at(after_x, after_y)
     bed["within"] = bed["within"] * patch_shore(level, after_x, after_y)
-    values = lattice(level.settings.level.seed)
-    masks = shore_masks(level.settings.shore, t, bed, after_x, after_y, values)
+    sand, sway = beach_map(level).at(after_x, after_y)
+    masks = shore_masks(level.settings.shore, t, bed, after_x, after_y, sway, values)
     lift = masks.lift
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
-    slope_x = point.z.dx + lift.dx * point.x.dx + lift.dy * point.y.dx
-    slope_y = point.z.dy + lift.dx * point.x.dy + lift.dy * point.y.dy
-    east = np.stack(np.broadcast_arrays(point.x.dx, point.y.dx, slope_x), -1)
-    north = np.stack(np.broadcast_arrays(point.x.dy, point.y.dy, slope_y), -1)
-    normal = np.cross(east, north)
-    normal /= np.linalg.norm(normal, axis=-1, keepdims=True)
-    height = level.sea_level_m + point.z.v + lift.v
-    return SeaSample(after_x, after_y, height, normal, x, y, weight.v, masks, bed["depth"].v, bed["clock"].v)
+    sheet = point.z.v + lift.v - _under(level, bed, sand)
+    # H10: the higher of the two, with its slope
+    held = np.where(sheet < 0, beach_contact(level, after_x, after_y).v, 0.0)
+    up_x, up_y = (wave + held * (land - wave) for wave, land in ((lift.dx, sand.dx), (lift.dy, sand.dy)))
+    slope_x = (1 - held) * point.z.dx + up_x * point.x.dx + up_y * point.y.dx
+    slope_y = (1 - held) * point.z.dy + up_x * point.x.dy + up_y * point.y.dy
+    return SeaSample(
+        after_x, after_y, level.sea_level_m + point.z.v + lift.v - held * sheet, _normal(point, slope_x, slope_y), x, y,
+        weight.v, masks, bed["depth"].v, bed["clock"].v, sheet,
+    )  # fmt: skip
 
 
 def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceField | None = None) -> SeaSample:
@@ -106,22 +129,19 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
     """The value of every uniform that the level's GLSL declares, samplers excepted, at time t."""
     settings = level.settings
     sea, shore = settings.sea, settings.shore
-    way, size = [], []
+    way, size, turn = [], [], []
     for fronts in groups(sea, settings.level.seed):
         for i, length in enumerate(fronts.length_m):
             east, north = fronts.east[i], fronts.north[i]
             phase = fronts.omega[i] * t / (2 * np.pi)
             way.append((east / length, north / length, phase - np.floor(phase), 2 * np.pi / length))
+            turn.append((sea.phase_noise * PHASE_GAIN[len(fronts.length_m)][i], fronts.begin[i]))
             size.append((fronts.amplitude_m[i], fronts.lateral_m[i], east, north))
     names = ("range_m", "width", "gap", "runup", "back", "fall", "height_m", "draw_m", "fade_in", "fade_out")
     return {
         "u_front_way": np.array(way, np.float32),
         "u_front_size": np.array(size, np.float32),
-        "u_front_turn": np.array(
-            [gain for fronts in groups(sea, settings.level.seed) for gain in PHASE_GAIN[len(fronts.length_m)]],
-            np.float32,
-        )
-        * sea.phase_noise,
+        "u_front_turn": np.array(turn, np.float32),
         "u_phase_noise_m": sea.phase_noise_m,
         **clock_uniforms(shore, t),
         **{f"u_shore_{name}": float(getattr(shore, name)) for name in names},
@@ -141,4 +161,7 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_wave_height_m": largest_height_m(level),
         "u_bed_cell_m": shore_map(level).cell_m,
         **patch_uniforms(level),
+        "u_beach_cell_m": beach_map(level).cell_m,
+        "u_shore_sway": shore.sway,
+        "u_shore_slide": float(shore.slide),
     }

@@ -33,7 +33,7 @@ class Pass:
 
 
 GBUFFER = ("g_albedo", "g_normal", "g_material", "g_emissive", "g_eye_depth", "g_before")
-WITH_WAVES = ("sea.glsl", "view.glsl")  # what evaluates the whole sea, and so knows overridden patches (H27)
+WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl")  # read patches.glsl
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
 PASSES: tuple[Pass, ...] = (

@@ -7,6 +7,7 @@ from collections import Counter
 import numpy as np
 
 from ..level import BadInput, Level, Rect
+from ..level.beach_map import beach_map
 from ..level.flow import current
 from ..level.layers import LAYERS
 from ..level.noise import lattice
@@ -21,7 +22,7 @@ from .bounds import HeightBounds
 class Uploader:
     """`textures` by sampler name, `bytes` sent, `sent` by name.
 
-    Names are `u_height`, `u_bed`, `u_variety`, and when asked for `u_layer_NAME`, `u_walkable`, `u_shore_field`.
+    Names are `u_height`, `u_bed`, `u_beach`, `u_variety`; when asked for `u_layer_NAME`, `u_walkable`, `u_shore_field`.
     """
 
     def __init__(self, ctx) -> None:
@@ -51,6 +52,7 @@ class Uploader:
             )
         self._sync_height(level)
         self._sync_shore(level)
+        self._sync_beach(level)
         seed = level.settings.level.seed
         if self.seen.get("lattice") != seed:
             self._whole("u_variety", lattice(seed), "f4")
@@ -83,6 +85,14 @@ class Uploader:
             self._part("u_bed", shore.packed, rect, "f4")
             held[rect.slices] = shore.packed[rect.slices]
         self.seen["shore"] = shore, shore.revision, held
+
+    def _sync_beach(self, level: Level) -> None:
+        """The sand under the sheet and the sway along the shore (H10, H20), RG16F; only what changed is sent."""
+        beach = beach_map(level)
+        known, revision = self.seen.get("beach", (None, 0))
+        for rect in beach.changed_since(-1 if known is not beach else revision):
+            self._part("u_beach", beach.packed, rect, "f2")
+        self.seen["beach"] = beach, beach.revision
 
     def layer(self, level: Level, name: str):
         """The texture of a painted layer, up to date; one texel while nothing was painted."""

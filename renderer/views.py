@@ -107,6 +107,12 @@ VIEWS: dict[str, View] = {
              "vec3(decode_direction(shore_field.gb) * 0.5 + 0.5, 0.5)", "direct", ids="H11 D06"),
         View("beach_slice", "Beach slice", "The beach without rocks, 2 m below the still sea to 2 m above it.",
              "vec3(decode_beach_m(shore_field.a))", "signed", -2, 2, ids="H10"),
+        View("beach_slide", "Beach slide", "Orange where the sheet lies on the sand without thickness, blue where "
+             "water stands over it, half a metre to full; black where nothing holds it.",
+             "sea.sheet > 8.0 ? vec3(0.0) : sea.sheet <= 0.0 ? vec3(1.0, 0.5, 0.1)"
+             " : mix(vec3(0.6, 0.8, 1.0), vec3(0.0, 0.1, 0.6), clamp(2.0 * sea.sheet, 0.0, 1.0))", "direct", ids="H10"),
+        View("shore_phase", "Shore phase", "White where a wave meets the still water line, fading until the next does: "
+             "one phase for water and sand.", "vec3((1.0 - swash_phase(sea.shore)) * bed.sea.x)", ids="H20 D10"),
         View("wave_a", "Wave A", "The rear smoothstep of the nearest front.", _MASK("sea.shore.a"), ids="D03"),
         View("wave_b", "Wave B", "The front smoothstep of the nearest front.", _MASK("sea.shore.b"), ids="D03"),
         View("wave_line", "Wave line", "A − B: the front line.", _MASK("sea.shore.line"), ids="D03 D04"),
@@ -163,8 +169,8 @@ VIEWS: dict[str, View] = {
              "vec3(on_sea * force_lift(s.before).x)", "signed", -0.2, 0.2, ids="D18"),
         View("force_foam", "Force: foam", "Foam that the pushed water makes.",
              "vec3(on_sea * force_at(s.before).w)", ids="D18"),
-        View("phase_noise", "Phase noise", "How far crests of the open sea are moved along their way: red later.",
-             "vec3(on_sea * u_front_turn[0] * phase_noise(s.before).x)", "signed", -0.2, 0.2, ids="H07"),
+        View("phase_noise", "Phase noise", "How far the crests of the largest front are bent: red ahead.",
+             "vec3(on_sea * phase_noise(HIGH_FRONTS, s.before).x)", "signed", -0.2, 0.2, ids="H07"),
         View("plate_a", "Plate A", "The land lit before the water, with caustics, at half size.",
              "plate(gl_FragCoord.xy, 0.0)", "light", ids="H12"),
         View("plate_b", "Plate B", "Plate A blurred: what deep water shows.",

@@ -6,10 +6,11 @@ Rows by id: D03 D04 D10 D11 D30 D31 H05 H06 H28 H29 H30.
 import numpy as np
 import pytest
 from coasts import make_beach
+from points import feedback
 from shorewright.level import BadInput
 from shorewright.level.gerstner import AXIS_CLEARANCE_DEG, groups
 from shorewright.level.shore_waves import front_speed_mps
-from shorewright.level.waves import sea_at, surface_at, wave_uniforms
+from shorewright.level.waves import sea_at, surface_at
 
 DAYS = 7 * 86_400.0
 
@@ -60,9 +61,11 @@ def test_masks_are_never_negative_and_travel_landward(mask):
     assert np.all(np.diff(centres) > 1.0)
 
 
-def test_water_runs_up_and_back_by_the_set_run_up():
-    """D10: over one period the water's edge moves by the run-up ± 10 %, the line arrives with it."""
-    level = make_beach(rows=257, slope=0.05)
+@pytest.mark.parametrize(("sway", "slide"), [(0.0, True), (0.0, False), (0.35, True)])
+def test_water_runs_up_and_back_by_the_set_run_up(sway, slide):
+    """D10 H20: over one period the water's edge moves by the run-up ± 10 %, the line arrives with it."""
+    level = make_beach(rows=257, slope=0.05, sway=sway)
+    level.set("shore.slide", slide)
     shore = level.settings.shore
     y = np.linspace(100, 200, 8000)
     bed = (y - 128.0) * 0.05
@@ -102,9 +105,10 @@ def test_single_waves_reach_differently_far_and_without_a_jump():
         assert np.abs(after - before).max() < 1e-4
 
 
-def test_without_vertex_animation_the_edge_stands_still_while_masks_travel():
+@pytest.mark.parametrize("sway", [0.0, 0.35])
+def test_without_vertex_animation_the_edge_stands_still_while_masks_travel(sway):
     """D10: the switch holds the surface, not the clock."""
-    level = make_beach(rows=257, slope=0.05)
+    level = make_beach(rows=257, slope=0.05, sway=sway)
     level.set("shore.vertex", False)
     y = np.linspace(100, 200, 2000)
     first, later = along(level, y, 1.0), along(level, y, 4.0)
@@ -254,17 +258,6 @@ def test_settings_out_of_range_are_refused_in_one_sentence():
         level.set("sea.swel", 1)
 
 
-GLSL = """
-in vec2 in_before; out vec4 v_position; out vec4 v_masks;
-#include "level/waves.glsl"
-void main() {
-    Sea sea = sea_surface(in_before);
-    v_position = vec4(sea.position, sea.deep);
-    v_masks = vec4(sea.shore.line, sea.shore.back, sea.shore.fall, sea.normal.x);
-}
-"""
-
-
 @pytest.mark.gl
 @pytest.mark.parametrize("t", [0.0, DAYS])
 def test_shader_and_twin_agree_within_a_millimetre(ctx, t):
@@ -280,36 +273,6 @@ def test_shader_and_twin_agree_within_a_millimetre(ctx, t):
     assert np.abs(got[:, 0] - want.x).max() < 2e-3
     assert np.abs(got[:, 4] - want.shore.line).max() < 5e-3
     assert np.abs(got[:, 7] - want.normal[:, 0]).max() < 5e-3
-
-
-def feedback(ctx, level, t, at):
-    """Run the level's GLSL over points in a vertex shader and read back its eight varyings."""
-    from shorewright.level.noise import lattice
-    from shorewright.level.shore import shore_map
-    from shorewright.renderer.program import resolve
-    from shorewright.renderer.uniforms import set_uniforms
-
-    source = "#version 410 core\n" + resolve("points", {"points": GLSL}).text
-    program = ctx.program(vertex_shader=source, varyings=["v_position", "v_masks"])
-    packed = np.ascontiguousarray(shore_map(level).packed)
-    bed = ctx.texture(packed.shape[1::-1], 4, packed.tobytes(), dtype="f4")
-    variety = ctx.texture((64, 64), 1, lattice(level.settings.level.seed).tobytes(), dtype="f4")
-    for unit, (name, texture) in enumerate((("u_bed", bed), ("u_variety", variety))):
-        texture.filter = (ctx.NEAREST, ctx.NEAREST)
-        texture.use(unit)
-        program[name] = unit
-    set_uniforms(program, wave_uniforms(level, t))
-    points = ctx.buffer(at.tobytes())
-    out = ctx.buffer(reserve=len(at) * 32)
-    array = ctx.vertex_array(program, [(points, "2f", "in_before")])
-    target = ctx.simple_framebuffer((1, 1))  # a surfaceless context has none, and drawing needs one
-    target.use()
-    array.transform(out, ctx.POINTS, vertices=len(at))
-    result = np.frombuffer(out.read(), np.float32).reshape(-1, 8)
-    ctx.detect_framebuffer(0).use()  # a framebuffer that is gone must not stay bound
-    for thing in (array, target, out, points, bed, variety, program):
-        thing.release()
-    return result
 
 
 def crest_speed(level, front: int) -> tuple[float, float]:

@@ -7,7 +7,7 @@ const float TURN = 6.28318530718;
 
 uniform vec4 u_front_way[FRONTS];   // direction / wavelength (cycles per metre: x, y), phase in cycles, k in rad/m
 uniform vec4 u_front_size[FRONTS];  // amplitude_m, lateral_m, unit direction (x, y)
-uniform float u_front_turn[FRONTS];  // how far the broad noise moves its crests, in wavelengths (H07)
+uniform vec2 u_front_turn[FRONTS];  // how far noise bends its crests, in wavelengths, and where that begins (H07)
 uniform float u_phase_noise_m;
 
 // What a drawing shader leaves of the high group where its cells or pixels are too coarse for it; 1 is the true sea.
@@ -17,10 +17,22 @@ vec3 swell_gain = vec3(1.0), swell_turn = vec3(0.0);
 
 struct Deformed { vec3 x; vec3 y; vec3 z; };  // duals: world x, world y, height over the still sea
 
-// A broad noise about 0 that moves the crests; a dual of the undeformed xy (H07).
-vec3 phase_noise(vec2 before) { return value_noise(before, u_phase_noise_m, ivec2(23, 5)) - vec3(0.5, 0.0, 0.0); }
+// A smooth rise and fall over one cycle, 0 … 1, and how it changes.
+vec2 crest_bend(float cycles) {
+    float f = fract(cycles), t = abs(2.0 * f - 1.0);
+    return vec2(t * t * (3.0 - 2.0 * t), f < 0.5 ? -12.0 * t * (1.0 - t) : 12.0 * t * (1.0 - t));
+}
 
-Deformed gerstner_group(Deformed point, int first, int end, vec3 weight, vec3 noise) {
+// How far front i is ahead at undeformed xy, in wavelengths: two lengths in the golden ratio along its crests, constant
+// along its way, so that the crests bend and none changes its speed; a dual (H07).
+vec3 phase_noise(int i, vec2 before) {
+    vec2 crest = vec2(u_front_size[i].w, -u_front_size[i].z), turn = u_front_turn[i];
+    float along = 0.5 * dot(before, crest) / u_phase_noise_m;
+    vec2 noise = crest_bend(along + turn.y) + crest_bend(0.618034 * along - turn.y) * vec2(1.0, 0.618034);
+    return turn.x * vec3(0.5 * noise.x - 0.5, 0.25 * noise.y / u_phase_noise_m * crest);
+}
+
+Deformed gerstner_group(Deformed point, int first, int end, vec3 weight, vec2 before) {
     vec3 dx = vec3(0.0), dy = vec3(0.0), dz = vec3(0.0);
     for (int i = first; i < end; ++i) {
         vec4 way = u_front_way[i], size = u_front_size[i];
@@ -29,9 +41,10 @@ Deformed gerstner_group(Deformed point, int first, int end, vec3 weight, vec3 no
             size.xy *= swell_gain[i - first];
         }
         // Phases are kept in cycles and wrapped, so that float32 is as good at 7 days as at 0.
-        float theta = TURN * fract(dot(way.xy, vec2(point.x.x, point.y.x)) - way.z + u_front_turn[i] * noise.x);
+        vec3 noise = phase_noise(i, before);
+        float theta = TURN * fract(dot(way.xy, vec2(point.x.x, point.y.x)) - way.z + noise.x);
         float s = sin(theta), c = cos(theta);
-        vec2 slope = way.w * (size.z * point.x.yz + size.w * point.y.yz) + TURN * u_front_turn[i] * noise.yz;
+        vec2 slope = way.w * (size.z * point.x.yz + size.w * point.y.yz) + TURN * noise.yz;
         vec3 lateral = size.y * vec3(c, -s * slope);
         dx += lateral * size.z;
         dy += lateral * size.w;
@@ -42,7 +55,6 @@ Deformed gerstner_group(Deformed point, int first, int end, vec3 weight, vec3 no
 
 Deformed gerstner(vec2 before, vec3 weight) {
     Deformed point = Deformed(vec3(before.x, 1.0, 0.0), vec3(before.y, 0.0, 1.0), vec3(0.0));
-    vec3 noise = phase_noise(before);
-    point = gerstner_group(point, 0, HIGH_FRONTS, weight * chop_share, noise);
-    return gerstner_group(point, HIGH_FRONTS, FRONTS, weight, noise);
+    point = gerstner_group(point, 0, HIGH_FRONTS, weight * chop_share, before);
+    return gerstner_group(point, HIGH_FRONTS, FRONTS, weight, before);
 }

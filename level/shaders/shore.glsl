@@ -2,6 +2,7 @@
 #include "level/dual.glsl"
 #include "level/noise_lattice.glsl"
 #include "level/bed.glsl"
+#include "level/beach.glsl"
 
 uniform float u_shore_clock;    // fract(t / travel), in cycles
 uniform int u_shore_cycle;
@@ -21,6 +22,7 @@ struct ShoreMasks {
     float edge_s; // the water's edge, in s
     float s;
     float front;  // s of the nearest front
+    float arrived;  // swash_arrived there
 };
 
 float shore_fade(float f) {
@@ -57,9 +59,10 @@ vec3 shore_height_along(vec3 s) {
 // 0 … 1 along the shore for the wave of this number: what it lacks in height and in reach.
 vec3 wave_noise(vec2 xy, int wave) { return value_noise(xy, u_shore_variety_m, ivec2(wave * 17, wave * 29)); }
 
-// How much earlier waves arrive at a place, in intervals.
-vec3 shore_early(vec2 xy) {
-    return (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
+// How much earlier waves arrive at a place, in intervals: noise, and the sway along the shore (H20).
+vec3 shore_early(vec2 xy, vec3 sway) {
+    vec3 noise = (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
+    return noise + sway * u_shore_sway;
 }
 
 // Waves that have passed the still water line since the cycle began; the fraction is the phase of the last one.
@@ -67,9 +70,12 @@ float swash_arrived(vec3 early) {
     return u_shore_clock * float(u_shore_count) + early.x - float(u_shore_count) / (1.0 + u_shore_runup);
 }
 
-// How far along its way up and back a wave is at phase q: 0 at the still water line, 1 where it turns.
+// How far along its way up and back a wave is at phase q: 0 at the still water line, 1 where it turns. It goes up with the
+// speed of its front, and gravity stops it.
 vec3 swash_run(vec3 q) {
-    return q.x < u_shore_uprush ? q / u_shore_uprush : d_const(1.0) - d_step(u_shore_uprush, 1.0, q);
+    if (q.x >= u_shore_uprush) return d_const(1.0) - d_step(u_shore_uprush, 1.0, q);
+    vec3 u = q / u_shore_uprush;
+    return vec3(u.x * (1.0 + u.x * (1.0 - u.x)), (1.0 + u.x * (2.0 - 3.0 * u.x)) * u.yz);
 }
 
 // Where the wave of this number turns, against the run-up limit.
@@ -82,24 +88,25 @@ vec3 shore_swash(vec2 xy, vec3 early) {
     return d_mul(swash_run(vec3(fract(arrived), early.yz)), swash_reach(xy, wave));
 }
 
-// How many waves must be looked at: where the depth is out of reach of the outermost front's trail all masks and the lift
-// are nothing, whichever wave is asked (shore_reach_m of level/patches.py).
-int shore_waves_at(float s, float s_body) {
-    float trail = max(u_shore_gap + 2.0 * u_shore_back, u_shore_gap + 0.5 * u_shore_width);
-    return max(s, s_body) < -max(trail, 0.5 * (u_shore_width + u_shore_fall)) ? 1 : u_shore_count;
+// True where no wave has come yet: it is deeper than the tail of the outermost one, and every mask and the lift are 0.
+bool before_waves(Bed bed) {
+    float tail = max(max(u_shore_gap + 2.0 * u_shore_back, u_shore_gap + u_shore_width), u_shore_width + u_shore_fall);
+    return u_shore_on <= 0.0 || min(bed.clock.x, bed.smoothed.x) > (1.0 + tail) * u_shore_range_m;
 }
 
-ShoreMasks shore_masks(Bed bed, vec2 xy) {
+ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     // Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink
     // into a hole round each of them.
     float s = 1.0 - bed.clock.x / u_shore_range_m;
     vec3 s_body = d_const(1.0) - bed.smoothed / u_shore_range_m;
-    vec3 early = shore_early(xy);
-    ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0);
+    ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0, 0.0);
+    if (before_waves(bed)) return m;
+    vec3 early = shore_early(xy, sway);
+    m.arrived = swash_arrived(early);
     vec3 sea = d_mul(bed.sea, bed.within);
     vec3 masks = vec3(0.0);
     float nearest = 9.0;
-    for (int k = 0; k < shore_waves_at(s, s_body.x); ++k) {
+    for (int k = 0; k < u_shore_count; ++k) {
         vec3 c = (early + d_const(float(k))) / float(u_shore_count) + d_const(u_shore_clock);
         float cycle = floor(c.x);
         vec3 f = (c - d_const(cycle)) * (1.0 + u_shore_runup);

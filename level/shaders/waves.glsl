@@ -6,6 +6,8 @@
 
 uniform float u_sea_level_m, u_deep_start_m, u_deep_full_m, u_sea_on, u_wave_height_m;
 
+const float DEEP_M = 4.0;  // there is no sand that the slice knows
+
 struct Sea {
     vec3 position;     // world, after deformation
     vec3 normal;
@@ -14,6 +16,7 @@ struct Sea {
     float deep;        // weight of the offshore waves
     ShoreMasks shore;  // at the world position after deformation
     Bed bed;           // there too
+    float sheet;       // water over the sand, m; at or below 0 the sheet lies on it without thickness (H10)
 };
 
 // Weight of the offshore waves: they fade in with depth (D11) and exist only in the sea.
@@ -21,18 +24,24 @@ vec3 deep_weight(Bed bed) {
     return d_mul(d_step(u_deep_start_m, u_deep_full_m, bed.smoothed), bed.sea) * u_sea_on;
 }
 
+// The sand that the sheet slides on, over the still sea: only where the sea comes (H10).
+float beach_under(Bed bed, Beach beach) { return u_shore_slide > 0.0 && bed.sea.x > 0.0 ? beach.sand.x : NO_BEACH_M; }
+
 Sea sea_surface(vec2 before) {
     vec3 weight = deep_weight(bed_at(before));
     Deformed p = gerstner(before, weight);
     vec2 after = vec2(p.x.x, p.y.x);
     Bed bed = bed_at(after);
     bed.within = d_mul(bed.within, patch_shore(after));
-    ShoreMasks shore = shore_masks(bed, after);
+    Beach beach = before_waves(bed) && bed.depth.x > DEEP_M ? NO_BEACH : beach_at(after);
+    ShoreMasks shore = shore_masks(bed, beach.sway, after);
     // d lift / d before = d lift / d after · d after / d before
     vec3 lift = shore.lift + d_mul(d_mul(force_lift(after), bed.sea), d_step(0.0, 0.5, bed.depth));
-    vec2 slope = p.z.yz + vec2(dot(lift.yz, vec2(p.x.y, p.y.y)), dot(lift.yz, vec2(p.x.z, p.y.z)));
+    float rise = p.z.x + lift.x, sheet = rise - beach_under(bed, beach);
+    float held = sheet < 0.0 ? beach_contact(after).x : 0.0;  // H10: the higher of the two, with its slope
+    vec2 up = mix(lift.yz, beach.sand.yz, held);
+    vec2 slope = (1.0 - held) * p.z.yz + vec2(dot(up, vec2(p.x.y, p.y.y)), dot(up, vec2(p.x.z, p.y.z)));
     vec3 normal = normalize(cross(vec3(p.x.y, p.y.y, slope.x), vec3(p.x.z, p.y.z, slope.y)));
-    float rise = p.z.x + lift.x;
-    return Sea(vec3(after, u_sea_level_m + rise), normal, before, clamp(rise / u_wave_height_m, -1.0, 1.0), weight.x,
-               shore, bed);
+    return Sea(vec3(after, u_sea_level_m + rise - held * sheet), normal, before,
+               clamp(rise / u_wave_height_m, -1.0, 1.0), weight.x, shore, bed, sheet);
 }

@@ -15,6 +15,7 @@
 #include "lib/sea_material.glsl"
 #include "lib/sea_find.glsl"
 #include "lib/sea_below.glsl"
+#include "lib/sheet.glsl"
 uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
 uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it sinks
@@ -74,6 +75,7 @@ void main() {
 #endif
     fade_surf(sea);
     float away = length(relative), eye_depth = eye_depth_of(relative);
+    if (sheet_ends(sea.sheet, eye_depth, texelFetch(under_eye_depth, ivec2(gl_FragCoord.xy), 0).r)) discard;
     vec3 to_eye = -relative / max(away, 1e-4);
     vec3 position = u_camera + relative;
     float column = water_column(sea, position.z);
@@ -102,7 +104,7 @@ void main() {
     vec4 land = below(normal, eye_depth, away);
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
     float depth = land.w * water_cosine(cosine) * abs(to_eye.z);
-    float thin = smoothstep(0.0, 0.03, land.w);  // D02: at its edge the water blends with what lies below
+    float thin = sheet_share(column, land.w);  // at its edge the water blends with what lies below
     foam.cover *= thin;
     float rough = u_foam_roughness ? foam.cover : 0.0;  // D09: brightness and roughness, each by its own switch
     foam.cover *= u_foam_albedo;
@@ -120,8 +122,10 @@ void main() {
     from_below = from_below * (1.0 - foam.cover) + crest * (1.0 - 0.55 * foam.cover);
     from_below *= 1.0 - water_fresnel(cosine, roughness) * (1.0 - foam.cover);
     roughness = mix(roughness, FOAM_ROUGHNESS, rough);
-    write_gbuffer(Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness,
-                          u_water_specular * thin, SEA, foam.cover, 1.0, from_below, eye_depth, before));
+    Surface surface = Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness, u_water_specular, SEA,
+                              foam.cover, 1.0, from_below, eye_depth, before);
+    sheet_over(land.rgb, thin, cosine, surface);
+    write_gbuffer(surface);
 #if defined(MEASURED)
     out_emissive = vec4(v_area, 0.0, 1.0);
 #elif defined(UNMEASURED)

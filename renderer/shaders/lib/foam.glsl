@@ -1,6 +1,7 @@
 // Foam (D04, H18): how much there is picks from thin lace to dense cover in one texture, without pops.
 #include "lib/noise.glsl"
 #include "lib/wind.glsl"
+#include "lib/foam_beach.glsl"
 
 uniform sampler2D u_foam;        // R lace, G middle, B dense, each equalised; A bubbles
 uniform float u_foam_tile_m;
@@ -41,21 +42,34 @@ void foam_places(vec2 xy, vec2 flow, out vec2 first, out vec2 second, out float 
     weight = abs(2.0 * fract(a) - 1.0);
 }
 
-// Fields at a place and, in `lee`, how much thicker the foam is a little way towards the light: its own shading.
-vec4 foam_fields(vec2 xy, vec2 flow, vec2 to_light, float lod, out float lee) {
-    float tile = u_foam_tile_m, second;
-    vec2 at, other;
-    foam_places(xy, flow, at, other, second);
+// Two copies of the texture with the contrast that averaging patterns would lose, about 0; `lee` of the first.
+vec4 foam_pair(vec2 at, vec2 other, float second, vec2 lit_side, float lod, out float lee) {
     vec4 a = textureLod(u_foam, at, lod);
-    vec2 lit_side = to_light * (0.004 * exp2(0.7 * lod));
     vec4 ahead = textureLod(u_foam, at + lit_side, lod);
     lee = dot(ahead.rgb - a.rgb, vec3(0.25, 0.35, 0.4)) * (1.0 - second);
     vec4 b = second > 0.0 ? textureLod(u_foam, other, lod) : a;
+    return (mix(a, b, second) - 0.5) / sqrt(second * second + (1.0 - second) * (1.0 - second));
+}
+
+// Fields at a place and, in `lee`, how much thicker the foam is a little way towards the light: its own shading.
+vec4 foam_fields(vec2 xy, vec2 flow, vec2 to_light, float lod, out float lee) {
+    float tile = u_foam_tile_m, second, ride = beach_ride.z;
+    vec2 at, other, lit_side = to_light * (0.004 * exp2(0.7 * lod));
+    vec4 mean = vec4(0.0);
+    lee = 0.0;
+    if (ride < 1.0) {
+        foam_places(xy, flow, at, other, second);
+        mean = foam_pair(at, other, second, lit_side, lod, lee);
+    }
+    if (ride > 0.0) {
+        float lee_there;
+        beach_places(xy, tile, JUMP, OTHER, at, other, second);
+        vec4 there = foam_pair(at, other, second, lit_side, lod, lee_there);
+        mean = mix(mean, there, ride) / sqrt(ride * ride + (1.0 - ride) * (1.0 - ride));
+        lee = mix(lee, lee_there, ride);
+    }
     // rafts three tiles wide, still, break the repetition and give the foam a shape from afar
     vec4 raft = textureLod(u_foam, turn(xy, 0.53, 0.848) / (tile * 3.3), max(lod - 1.7, 0.0)) - 0.5;
-    // keep the contrast that averaging patterns would lose
-    vec4 mean = mix(a, b, second) - 0.5;
-    mean /= sqrt(second * second + (1.0 - second) * (1.0 - second));
     return clamp((0.8 * mean + 0.52 * raft) / 0.95 + 0.5, 0.0, 1.0);
 }
 

@@ -44,10 +44,12 @@ uniform float u_foam_height, u_foam_height_low, u_foam_height_high;
 uniform float u_foam_transient, u_foam_constant, u_foam_shadow, u_foam_shadow_limit_m;
 uniform float u_quiet_foam;
 
+const float FOAM_ASHORE_M = 3.0;  // so far past the still water line the swash takes it along
+
 // Constant foam by the distance to the shore (H18), torn into patches: a ring round the coast would be drawn by a ruler.
 float foam_of_shore(float distance_m, float torn) {
     float near = 1.0 - smoothstep(u_foam_shore_near_m, max(u_foam_shore_far_m, u_foam_shore_near_m + 0.1), distance_m);
-    return u_foam_shore * near * near * torn * step(0.0, distance_m);
+    return u_foam_shore * near * near * torn * smoothstep(-FOAM_ASHORE_M, 0.5 * FOAM_ASHORE_M, distance_m);
 }
 
 // Foam on high water (H18): height against the largest possible sum.
@@ -58,6 +60,18 @@ float foam_of_height(float height01) {
 // Painted foam (D07): the broad layer comes with the backs and falling crests of the waves, the other is always there.
 vec2 foam_painted(vec2 painted, ShoreMasks m) {
     return saturate(vec3(painted.x * u_foam_transient * (m.back + m.line + m.fall), painted.y * u_foam_constant, 0.0)).xy;
+}
+
+const float RIDES_S = 0.80, CARRIED_S = 0.96;  // share of the range over which foam begins to ride the sheet
+const float MOST_CARRIED_M = 16.0;             // on a flat it would be torn
+
+// Foam on the beach is carried up with the sheet and back by the shore's own phase (H20).
+void ride_the_sheet(Sea sea, float steep) {
+    ShoreMasks m = sea.shore;
+    float phase = swash_phase(m), share = smoothstep(RIDES_S, CARRIED_S, m.s) * sea.bed.sea.x * u_shore_on * u_shore_vertex;
+    float way_m = min(max(m.edge_s - 1.0, 0.0) * u_shore_range_m / steep, MOST_CARRIED_M);
+    beach_ride = vec3(phase, floor(m.arrived) + float(u_shore_cycle * u_shore_count), share);
+    beach_carried = -sea.bed.smoothed.yz * (way_m * smoothstep(SWASH_S, 1.0, m.s) / max(length(sea.bed.smoothed.yz), 1e-4));
 }
 
 // Foam that the pushed water makes at this pixel (D18).
@@ -90,7 +104,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
     // the sheet: dense while it runs up, lace whose holes grow while it drains
     float sheet = exp2(-max(column, 0.0) / 0.13) * shore;
-    float drained = swash_drained(swash_phase(shore_early(sea.position.xy)));
+    float drained = swash_drained(swash_phase(m));
     float lace = sheet * mix(0.22 + 0.50 * torn, 0.30 * torn, smoothstep(0.0, 0.6, drained));
     float edge_m = (m.edge_s - m.s) * u_shore_range_m / steep;
     float rim = shore - shore * smoothstep(0.15, 1.0, edge_m / (mix(0.9, 0.4, drained) + 2.0 * pixel_m + 1.1 * near));
@@ -104,6 +118,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     clean = waves ? clean : 1.0;
     float amount = 1.0 - (1.0 - saturate((1.0 - clean) * u_foam_amount)) * (1.0 - paint * (0.34 + 0.26 * back));
     amount *= 1.0 - u_quiet_foam * current.b;
+    ride_the_sheet(sea, steep);
     vec2 flow = surface_flow(sea) + current.rg;
     Foam foam = foam_at(before, amount, max(crest, rim), rim, flow, u_sun_direction.xy, pixel_m);
     foam.cover = max(foam.cover, veil);

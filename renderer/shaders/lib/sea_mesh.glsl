@@ -1,6 +1,10 @@
 // The sea's mesh: from grids, or tessellated from cells of 10 m (H01, H02). With MEASURED a geometry stage measures triangles.
 // One weight by distance drives how fine it is and how high its waves stand (H31).
 
+#ifndef FRAGMENT
+#include "lib/sheet.glsl"
+#endif
+
 uniform float u_sea_near_m, u_sea_falloff;
 uniform vec2 u_sea_length_m;  // of swell and chop
 uniform vec4 u_sea_edge;      // camera-relative middle of the mesh, radius at which its waves lie flat, width of the way there
@@ -23,11 +27,12 @@ vec2 wave_share(vec2 away) {
     return edge * smoothstep(FLAT_CELLS, WHOLE_CELLS, cells);
 }
 
-// Where a vertex of the undeformed plane goes, camera-relative.
-vec3 sea_vertex(vec2 before, vec2 relative) {
+// Where a vertex of the undeformed plane goes, camera-relative, and how thick the sheet is there.
+vec3 sea_vertex(vec2 before, vec2 relative, out float sheet) {
     vec2 shares = wave_share(relative);
     chop_share = shares.y;
     Sea sea = sea_surface(before);
+    sheet = sea.sheet;
     float share = shares.x;
     vec2 shift = (sea.position.xy - before) * share;
     float rise = (sea.position.z - u_sea_level_m) * share;
@@ -62,8 +67,9 @@ void main() {
     c_relative = relative;
 #else
     MADE_BEFORE = before;
-    MADE_RELATIVE = sea_vertex(before, relative);
-    gl_Position = u_view_projection * vec4(MADE_RELATIVE, 1.0);
+    float sheet;
+    MADE_RELATIVE = sea_vertex(before, relative, sheet);
+    gl_Position = u_view_projection * vec4(sheet_pulled(MADE_RELATIVE, sheet), 1.0);
 #endif
 }
 #endif
@@ -136,8 +142,9 @@ vec2 within(vec2 a, vec2 b, vec2 c, vec2 d) {
 
 void main() {
     MADE_BEFORE = within(e_before[0], e_before[1], e_before[2], e_before[3]);
-    MADE_RELATIVE = sea_vertex(MADE_BEFORE, within(e_relative[0], e_relative[1], e_relative[2], e_relative[3]));
-    gl_Position = u_view_projection * vec4(MADE_RELATIVE, 1.0);
+    float sheet;
+    MADE_RELATIVE = sea_vertex(MADE_BEFORE, within(e_relative[0], e_relative[1], e_relative[2], e_relative[3]), sheet);
+    gl_Position = u_view_projection * vec4(sheet_pulled(MADE_RELATIVE, sheet), 1.0);
 #ifdef MEASURED
     MADE_FACTOR = e_factor;
 #endif

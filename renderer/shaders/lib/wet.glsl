@@ -5,6 +5,7 @@
 #include "lib/noise.glsl"
 #include "lib/sky.glsl"
 #include "lib/foam.glsl"
+#include "level/patches.glsl"
 
 uniform float u_shore_interval_s;
 uniform int u_wet_waves;  // so many are remembered; what came before them counts as a mean
@@ -29,11 +30,18 @@ float inverse_smoothstep(float y) {
     return y < 0.5 ? x : 1.0 - x;
 }
 
+// Where u + u² − u³ is y, to 0.0005: when the sheet comes on its way up (swash_run).
+float inverse_uprush(float y) {
+    float left = clamp(1.0 - y, 0.0, 1.0), a = sqrt(0.5 * left);
+    float v = a * (1.0 + a * (0.25 + 0.4 * a));  // v² (2 − v) = left
+    return clamp(1.0 - v + (v * v * (2.0 - v) - left) / max(v * (4.0 - 3.0 * v), 1e-3), 0.0, 1.0);
+}
+
 // What one wave left at a height that is `part` of its reach, `age` intervals after it met the still water line. `down_m`
 // is the way from its furthest line seaward, `grain` noise that breaks every edge.
 Wet wave_left(float part, float age, float down_m, vec2 grain) {
     float up = u_shore_uprush;
-    float from = up * part, to = up + (1.0 - up) * inverse_smoothstep(1.0 - part);
+    float from = up * inverse_uprush(part), to = up + (1.0 - up) * inverse_smoothstep(1.0 - part);
     float covered_s = (clamp(age, from, to) - from) * u_shore_interval_s;
     float since_s = max(age - to, 0.0) * u_shore_interval_s;
     float turned_s = (age - up) * u_shore_interval_s;
@@ -55,11 +63,11 @@ Wet shore_wet(vec2 xy, float height, float pixel_m) {
     if (height > top + 2.0 * CREEP_M) return DRY;
     if (height < -ALWAYS_WET_M) return Wet(1.0, 0.0, 0.0);
     Bed bed = bed_at(xy);
-    float moving = u_shore_on * u_shore_vertex * bed.sea.x;
+    float moving = u_shore_on * u_shore_vertex * bed.sea.x * patch_shore(xy).x;
     vec4 noise = noise_at(xy, 11.0, pixel_m);
     vec2 grain = vec2(0.5 * noise.g + 0.5 * noise.b, noise.r);
     float steep = max(length(bed.smoothed.yz), 0.015);
-    float arrived = swash_arrived(shore_early(xy));
+    float arrived = swash_arrived(shore_early(xy, beach_at(xy).sway));
     int wave = u_shore_cycle * u_shore_count + int(floor(arrived));
     float h = max(height - CREEP_M * grain.x, 0.0);
     // what older waves left on the whole, by how many of them come so high

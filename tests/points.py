@@ -1,0 +1,54 @@
+"""The level's GLSL over points, read back: what tests hold against the CPU twin."""
+
+import numpy as np
+from shorewright.level.beach_map import beach_map
+from shorewright.level.noise import lattice
+from shorewright.level.shore import shore_map
+from shorewright.level.waves import wave_uniforms
+from shorewright.renderer.program import resolve
+from shorewright.renderer.uniforms import set_uniforms
+
+SEA = """
+in vec2 in_at; out vec4 v_position; out vec4 v_masks; out vec4 v_sheet;
+#include "level/waves.glsl"
+void main() {
+    Sea sea = sea_surface(in_at);
+    v_position = vec4(sea.position, sea.deep);
+    v_masks = vec4(sea.shore.line, sea.shore.back, sea.shore.fall, sea.normal.x);
+    v_sheet = vec4(sea.sheet, sea.shore.arrived, sea.normal.y, sea.shore.edge_s);
+}
+"""
+
+
+def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict):
+    """Run a vertex shader over points `in_at` (n, 2), read back its varyings (floats by name), release `textures`."""
+    text = "#version 410 core\n" + resolve("points", {"points": source}).text
+    program = ctx.program(vertex_shader=text, varyings=list(varyings))
+    for unit, (name, texture) in enumerate(textures.items()):
+        texture.filter = (ctx.NEAREST, ctx.NEAREST)
+        texture.use(unit)
+        program[name] = unit
+    set_uniforms(program, uniforms)
+    floats = sum(varyings.values())
+    points = ctx.buffer(np.ascontiguousarray(at, np.float32).tobytes())
+    out = ctx.buffer(reserve=len(at) * 4 * floats)
+    array = ctx.vertex_array(program, [(points, "2f", "in_at")])
+    target = ctx.simple_framebuffer((1, 1))  # a surfaceless context has none, and drawing needs one
+    target.use()
+    array.transform(out, ctx.POINTS, vertices=len(at))
+    result = np.frombuffer(out.read(), np.float32).reshape(-1, floats)
+    ctx.detect_framebuffer(0).use()  # a framebuffer that is gone must not stay bound
+    for thing in (array, target, out, points, *textures.values(), program):
+        thing.release()
+    return result
+
+
+def feedback(ctx, level, t, at):
+    """The level's sea at undeformed points: position, weight, masks, sheet and phase, as SEA lists them."""
+    packed, sand = np.ascontiguousarray(shore_map(level).packed), np.ascontiguousarray(beach_map(level).packed)
+    textures = {
+        "u_bed": ctx.texture(packed.shape[1::-1], 4, packed.tobytes(), dtype="f4"),
+        "u_variety": ctx.texture((64, 64), 1, lattice(level.settings.level.seed).tobytes(), dtype="f4"),
+        "u_beach": ctx.texture(sand.shape[1::-1], 2, sand.tobytes(), dtype="f2", alignment=1),
+    }
+    return transform(ctx, SEA, at, {"v_position": 4, "v_masks": 4, "v_sheet": 4}, textures, wave_uniforms(level, t))
