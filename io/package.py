@@ -1,4 +1,4 @@
-"""A level as a folder: `name.shore/level.json`, `layers/NAME.rR.cC.exr` by sector, `layers/hashes.json`, meshes of props.
+"""A level as a folder: `name.shore/level.json`, `layers/NAME.rR.cC.exr` by sector, `layers/hashes.json`, and `meshes/`.
 
 Only sectors that hold written tiles exist, except `height_base`, the imported ground, which is always whole; `height`
 holds what was sculpted on it. R and C count 1024-cell sectors from the south-west. Saving rewrites dirty sectors only,

@@ -122,6 +122,7 @@ class Prop(Placed):
     density: float = param(
         0.45, 0.02, 1.5, "", "Share of its height that lies under water; from 1 on it sinks.", soft=(0.1, 1)
     )
+    dry: bool = param(True, doc="No sea is drawn inside its hull.")
     drifts: bool = param(False, doc="The current takes it along; else it stays at its mooring.")
     ripples: bool = param(True, doc="It draws rings on the water.")
 

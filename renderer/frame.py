@@ -52,6 +52,7 @@ PASSES: tuple[Pass, ...] = (
     Pass("under", (), GBUFFER, UNDER, "Copies what lies under the water.", "D02"),
     Pass("plate", ("light.glsl", "plate.glsl"), (*GBUFFER, "u_shadow"), ("hdr", "u_plates"),
          "Lit land at half size, as it is seen through water.", "H12 H13"),
+    Pass("lids", ("lids.glsl",), (), (), "Keeps the sea out of hulls: depth alone.", "D12"),
     Pass("sea", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea into it.", "D01 D10 H05"),
     Pass("horizon", ("sea.glsl",), ("u_bed", "u_variety", "u_shadow", *UNDER), GBUFFER, "Sea beyond the mesh.", "H21"),
     Pass("lookdev", ("lookdev.glsl",), (), GBUFFER, "In its view: balls and a card.", "L08"),

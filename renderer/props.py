@@ -144,10 +144,10 @@ class Buffers:
             self._let_go(key)
 
 
-def buffers(frame) -> Buffers:
-    """Those of a renderer."""
-    kept = frame.renderer.kept
-    return kept.get("prop_buffers") or kept.setdefault("prop_buffers", Buffers(frame.renderer.ctx))
+def buffers(frame, name: str = "props") -> Buffers:
+    """Those of a renderer, of that name."""
+    kept = frame.renderer.kept.setdefault("prop_buffers", {})
+    return kept.get(name) or kept.setdefault(name, Buffers(frame.renderer.ctx))
 
 
 def seen(things: list[Placed], position: np.ndarray, planes: np.ndarray | None, pixel: float) -> list[Placed]:

@@ -1,4 +1,4 @@
-"""Meshes from files into the G-buffer (D12), before what lies under the water is copied: their lower part shows in it."""
+"""Meshes from files into the G-buffer (D12), before what lies under the water is copied: what is in it shows."""
 
 from __future__ import annotations
 

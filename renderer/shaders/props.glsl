@@ -29,7 +29,7 @@ in vec3 v_relative, v_normal, v_colour, v_local;
 in float v_over;
 
 const float ROUGHNESS = 0.62, WET_ROUGHNESS = 0.3, SPECULAR = 0.04;
-const float POROUS = 0.45;  // share of its light that a wet surface keeps
+const float POROUS = 0.6;  // share of its light that a wet surface keeps
 
 void main() {
     vec3 n = normalize(gl_FrontFacing ? v_normal : -v_normal);
@@ -38,7 +38,8 @@ void main() {
     if (dot(n, to_eye) < 0.02) n = normalize(n + (0.02 - dot(n, to_eye)) * to_eye);
     vec3 position = u_camera + v_relative;
     float grain = noise_at(v_local.xy + v_local.zz * vec2(0.7, 0.4), 1.1, pixel_metres(v_relative, n)).g - 0.5;
-    float damp = 1.0 - smoothstep(0.0, 0.10, v_over - 0.05 + 0.06 * grain);
+    float damp = 1.0 - smoothstep(0.0, 0.10, v_over - 0.04 + 0.05 * grain);
+    if (v_over > 0.0) damp *= 1.0 - smoothstep(0.3, 0.7, n.z);  // sides are splashed, a deck or floor lies dry
     albedo *= mix(1.0, POROUS, damp * smoothstep(-0.3, 0.0, v_over));  // under water a film is none
     vec3 shown = vec3(0.0);
 #ifdef MARK
