@@ -25,6 +25,7 @@ from .waves import sea_at, surface_at
 
 ACROSS, ALONG = 3, 5  # points under a hull
 SPREAD = 0.8  # share of its box that they span: a hull is narrower below
+BEDDED_M = 0.03  # so deep it lies in the ground
 STEEPEST = 1.2  # slope at which it stops following
 
 
@@ -95,7 +96,7 @@ def _afloat(level: Level, t: float, props: list[Prop], force: ForceField | None)
     shift, turn = _carried(level, t, moored, hulls, headings)
     moored, headings = moored + shift * free[:, None], headings + turn * free
     world = moored[:, None] + _turned_flat(hulls, headings)
-    ground = ground_at(level, *np.moveaxis(world, -1, 0))
+    ground = ground_at(level, *np.moveaxis(world, -1, 0)) - BEDDED_M
     water = surface_heights(level, t, world, force)
     sinks = np.array([prop.density >= 1 for prop in props])[:, None]
     over = np.where(sinks, ground, np.maximum(water - drafts[:, None], ground))  # of the hull's underside

@@ -8,12 +8,14 @@ from __future__ import annotations
 from itertools import pairwise
 
 import numpy as np
-from shorewright.level.meshes import Mesh, made_of
+from shorewright.level import Level
+from shorewright.level.meshes import Mesh, content_name, made_of
+from shorewright.level.objects import Prop
 
 WHITE, RED, DARK = (0.60, 0.58, 0.52), (0.26, 0.04, 0.025), (0.05, 0.046, 0.042)
 BLUE, OAK, PINE = (0.035, 0.095, 0.14), (0.15, 0.088, 0.046), (0.27, 0.185, 0.11)
 STRAKES, STATIONS, LAP_M, THICK_M = 7, 25, 0.016, 0.022
-HALF_M, WATER_M = 2.1, 0.20  # half the boat's length, paint of the bottom up to here
+HALF_M, BOTTOM = 2.1, 3  # half the boat's length; strakes painted as its bottom
 
 
 class Solid:
@@ -119,8 +121,7 @@ def hull(solid: Solid) -> None:
     colours = np.broadcast_to(np.array(OAK), (STATIONS - 1, rings.shape[1], 3)).copy()
     colours[:, : len(paint) - 1] = paint[:-1]
     colours[:, len(paint) - 2] = BLUE
-    low = np.maximum(np.maximum(rings[:-1, :, 2], rings[1:, :, 2]), np.roll(rings[1:, :, 2], -1, 1))
-    colours[:, : len(paint) - 1][low[:, : len(paint) - 1] < WATER_M] = RED
+    colours[:, : 2 * BOTTOM - 1] = RED
     for side in (rings, mirrored(rings)):
         solid.rings(side, colours)
 
@@ -220,3 +221,25 @@ def channel_buoy() -> Mesh:
     for x in (-0.66, 0.66):
         solid.box((x - 0.03, -0.05, 1.60), (x + 0.03, 0.05, 1.74), DARK)
     return solid.mesh()
+
+
+# Where they are in the cove: id, mesh, x, y, heading, share under water, heel
+PLACES = (
+    ("boat-moored", rowing_boat, 556, 393, 205, 0.23, 0.0),
+    ("boat-beach", rowing_boat, 681.5, 399.5, 32, 0.23, 9.0),
+    ("buoy", channel_buoy, 722, 292, 0, 0.36, 0.0),
+)
+
+
+def place(level: Level) -> None:
+    """Give the cove its boats: one at a mooring before `play`, one on the sand beside `beach`, a buoy off the rocks."""
+    names = {}
+    for make in (rowing_boat, channel_buoy):
+        mesh = make()
+        names[make] = content_name(make.__name__, mesh)
+        level.put_mesh(names[make], mesh)
+    for name, make, x, y, yaw_deg, density, roll_deg in PLACES:
+        prop = Prop(
+            id=name, mesh=names[make], x=x, y=y, yaw_deg=yaw_deg, roll_deg=roll_deg, floats=True, density=density
+        )
+        level.put_object(name, prop)
