@@ -60,8 +60,8 @@ class Mesh:
         return np.rint(255 * encode_srgb(self.colours)).astype(np.uint8)
 
     def digest(self) -> str:
-        """Hash of all that it is, in hex."""
-        parts = (self.vertices, self.normals, self.bytes8, self.triangles)
+        """Hash of all that it is, in hex; normals follow from the rest, but not to the last bit everywhere."""
+        parts = (self.vertices, self.bytes8, self.triangles)
         return hashlib.sha256(b"".join(np.ascontiguousarray(part).tobytes() for part in parts)).hexdigest()
 
 

@@ -15,6 +15,7 @@ from shorewright.level.objects import Prop
 WHITE, RED, DARK = (0.60, 0.58, 0.52), (0.26, 0.04, 0.025), (0.05, 0.046, 0.042)
 BLUE, OAK, PINE = (0.035, 0.095, 0.14), (0.15, 0.088, 0.046), (0.27, 0.185, 0.11)
 STRAKES, STATIONS, LAP_M, THICK_M = 7, 25, 0.016, 0.022
+STEP_M = 1 / 4096  # places are whole multiples of it: the same mesh on every machine
 HALF_M, BOTTOM = 2.1, 3  # half the boat's length; strakes painted as its bottom
 
 
@@ -63,7 +64,8 @@ class Solid:
 
     def mesh(self) -> Mesh:
         """What was added, as one mesh."""
-        return made_of(np.concatenate(self.corners), np.concatenate(self.colours))
+        corners = np.round(np.concatenate(self.corners) / STEP_M) * STEP_M
+        return made_of(corners, np.concatenate(self.colours))
 
 
 # The boat
