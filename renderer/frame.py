@@ -39,7 +39,7 @@ PASSES: tuple[Pass, ...] = (
     Pass("lobes", ("lobes.glsl",), ("u_sky",), ("u_lobes",), "The sky as things mirror it, kept.", "L02"),
     Pass("shadow", ("shadow.glsl",), ("u_height",), ("u_shadow",),
          "Height of the land's shadow, kept while nothing changes."),
-    Pass("prop_shadow", ("prop_shadow.glsl",), (), ("u_prop_shadow",),
+    Pass("prop_shadow", ("prop_shadow.glsl", "copy_depth.glsl"), (), ("u_prop_shadow",),
          "Heights up to which things shade, kept while nothing changes.", "L03 D12"),
     Pass("openness", ("openness.glsl",), ("u_height",), ("u_openness",),
          "Open sky over the land, kept likewise.", "L02 L03"),
