@@ -119,6 +119,20 @@ def test_it_throws_a_shadow(renderer, floats):
     assert np.array_equal(shot(level, renderer, "prop_shadow", cam)[..., 0], lit)
 
 
+def test_a_sheet_in_the_sun_does_not_shade_itself(renderer):
+    """What has no inside is lowered in the map by its own steepness: no stripes on a sail that faces the sun."""
+    level = scene(depth_m=-1.0)
+    level.set("light.sun_azimuth_deg", 180.0)
+    for elevation in (12.0, 38.0, 70.0):
+        level.set("light.sun_elevation_deg", elevation)
+        level.put_mesh("sail", sheet([(-2, 0, 0), (2, 0, 0), (2, 1, 3), (-2, 1, 3)], (0.5, 0.5, 0.5)))
+        put(level, mesh="sail", z=1.0, yaw_deg=20)
+        seen = marked(level, renderer)
+        lit = shot(level, renderer, "prop_shadow", quality="medium")[seen][:, 0]
+        assert seen.sum() > 200
+        assert lit.mean() > 0.97, elevation
+
+
 def test_shadows_move_and_leave_nothing_behind(renderer):
     """The map is put right where something floated a moment ago: drawn at once or after others, the same bytes."""
     level = scene(depth_m=3.0)

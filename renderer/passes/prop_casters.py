@@ -13,7 +13,8 @@ import numpy as np
 from ..frame import Frame
 from ..props import Placed, buffers, seen
 
-LOWER_M = 0.02  # a mesh without an inside is drawn so much lower, and a texel
+LOWER_M = 0.02  # a mesh without an inside is drawn so much lower, and a texel,
+SLOPE = 4.0  # and by what its height changes over so many texels, or steep faces would shade themselves in stripes
 
 
 def planes(square: np.ndarray, way: np.ndarray) -> np.ndarray:
@@ -45,12 +46,13 @@ def cast(frame: Frame, target, index: int, square: np.ndarray, shader, things: l
 
     def before(mesh) -> None:
         (ctx.enable if mesh.closed else ctx.disable)(ctx.CULL_FACE)
+        ctx.polygon_offset = 0.0 if mesh.closed else SLOPE, 0.0
         shader.program["u_lower_m"].value = 0.0 if mesh.closed else LOWER_M + 2 * float(square[3]) / size
 
     ctx.enable(ctx.DEPTH_TEST)
     ctx.cull_face = "front"
     triangles, count = buffers(frame).draw(f"shadow {index}", shader, things, square[:3], before)
-    ctx.cull_face = "back"
+    ctx.cull_face, ctx.polygon_offset = "back", (0.0, 0.0)
     ctx.disable(ctx.DEPTH_TEST | ctx.CULL_FACE)
     frame.stats["prop_caster_triangles"] = frame.stats.get("prop_caster_triangles", 0) + triangles
     frame.stats["prop_casters"] = frame.stats.get("prop_casters", 0) + count
