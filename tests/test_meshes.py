@@ -171,6 +171,8 @@ def test_hard_edges_stay_and_round_ones_are_smooth():
     inside_out = made_of(vertices[triangles[:, ::-1]])
     assert (inside_out.normals * inside_out.vertices).sum(axis=1).min() > 0.999
     assert not made_of(vertices[triangles[:-1]]).closed
+    sail = vertices[triangles[:3]]
+    assert not made_of(np.concatenate([sail, sail[:, ::-1]])).closed  # two sides and no inside
 
 
 def test_colours_survive_their_bytes():
