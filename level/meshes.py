@@ -60,6 +60,13 @@ class Mesh:
         """Colours as sRGB bytes, uint8 `(n, 3)`: what files hold."""
         return np.rint(255 * encode_srgb(self.colours)).astype(np.uint8)
 
+    @cached_property
+    def open_sky(self) -> np.ndarray:
+        """How much of the sky over each vertex the mesh itself leaves open, float32 `(n,)`."""
+        from .mesh_open import open_sky
+
+        return open_sky(self)
+
     def digest(self) -> str:
         """Hash of all that it is, in hex; normals follow from the rest, but not to the last bit everywhere."""
         parts = (self.vertices, self.bytes8, self.triangles)

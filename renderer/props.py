@@ -19,6 +19,7 @@ from .passes.force import centre
 from .scatter import used
 
 FLOATS = 16  # an instance: axes and place, three times four; colour of its view, height of the water line
+VERTEX = ("in_position", "in_normal", "in_colour", "in_open")
 ROW = ("in_east", "in_north", "in_up", "in_mark")
 DRY = -1e6  # water line of what does not float
 LEAST_PX = 0.7  # smaller ones are left out
@@ -84,15 +85,16 @@ class Buffers:
         self.instances: dict[tuple, object] = {}
         self.arrays: dict[tuple, object] = {}
 
-    def keep(self, things: list[Placed]) -> int:
-        """Hold what these props show and let others go; returns the bytes sent."""
+    def keep(self, things: list[Placed], shaded: bool = True) -> int:
+        """Hold what these props show, with their own shade of the sky, and let others go; returns the bytes sent."""
         wanted = {id(thing.mesh): thing.mesh for thing in things}
         for key in [key for key in self.meshes if key not in wanted]:
             self._let_go(key)
         new = [key for key in wanted if key not in self.meshes]
         for key in new:
             mesh = wanted[key]
-            packed = np.column_stack([mesh.vertices, mesh.normals, mesh.colours]).astype(np.float32)
+            shade = mesh.open_sky if shaded else np.ones(len(mesh.vertices))
+            packed = np.column_stack([mesh.vertices, mesh.normals, mesh.colours, shade]).astype(np.float32)
             buffers = self.ctx.buffer(packed.tobytes()), self.ctx.buffer(mesh.triangles.tobytes())
             self.meshes[key] = (mesh, *buffers, packed.nbytes + mesh.triangles.nbytes)
         return sum(self.meshes[key][3] for key in new)
@@ -126,7 +128,7 @@ class Buffers:
         if at not in self.arrays:
             _, vertices, indices, _ = self.meshes[key]
             content = [
-                (vertices, *used(shader, "3f4 3f4 3f4", ("in_position", "in_normal", "in_colour"))),
+                (vertices, *used(shader, "3f4 3f4 3f4 1f4", VERTEX)),
                 (self.instances[user, key], *used(shader, "4f4 4f4 4f4 4f4/i", ROW)),
             ]  # fmt: skip
             self.arrays[at] = self.ctx.vertex_array(shader.program, content, indices, index_element_size=4)

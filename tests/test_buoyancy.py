@@ -1,11 +1,14 @@
 """Floating and drifting props (D12): on the drawn surface, as a function of time alone."""
 
+import importlib
+from pathlib import Path
+
 import numpy as np
 import pytest
 from shorewright.level import Grid, Level, Rect
 from shorewright.level.buoyancy import draft_of, hull_points, poses, surface_heights, turned
 from shorewright.level.drift import MOST_S, drifted
-from shorewright.level.meshes import block
+from shorewright.level.meshes import block, numbered
 from shorewright.level.objects import Disturbance, Prop
 
 HULL = (1.4, 4.0, 0.8)
@@ -219,3 +222,48 @@ def test_lids_lie_within_the_hull():
     assert area(made.vertices) < 1.4 * 4.0
     assert section(hull, 5.0) is None
     assert lid(hull, 2.0) is None
+
+
+# The boats of the cove
+
+
+@pytest.fixture
+def boats(monkeypatch):
+    monkeypatch.syspath_prepend(str(Path(__file__).parents[1] / "sample_levels"))
+    return importlib.import_module("boats")
+
+
+@pytest.mark.parametrize("name", ["rowing_boat", "channel_buoy"])
+def test_the_boats_are_sound_bodies(boats, name):
+    """Every part is closed and has its outside out; its parts lie together; the same mesh each time."""
+    from scipy import sparse
+    from scipy.sparse import csgraph
+
+    mesh = getattr(boats, name)()
+    assert mesh.closed
+    assert mesh.box[0, 2] == 0
+    assert mesh.digest() == getattr(boats, name)().digest()
+    place = numbered(*mesh.vertices.T)[mesh.triangles]
+    count = place.max() + 1
+    start, end = place.reshape(-1), np.roll(place, -1, 1).reshape(-1)
+    assert np.isin(start * count + end, end * count + start).all()  # each edge is there the other way round
+    graph = sparse.coo_matrix((np.ones(place.size), (start, end)), shape=(count, count))
+    part = csgraph.connected_components(graph, directed=False)[1][place[:, 0]]
+    corners = mesh.vertices.astype(np.float64)[mesh.triangles]
+    volume = np.einsum("ij,ij->i", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) / 6
+    assert min(volume[part == one].sum() for one in np.unique(part)) > 0
+
+
+def test_the_boats_of_the_cove_lie_where_they_should(boats):
+    """One swims before `play`, one lies dry on the sand, the buoy has water under it and stands upright."""
+    from shorewright.io import read_level
+
+    cove = read_level(Path(boats.__file__).with_name("cove.shore"))
+    boats.place(cove)
+    for t in (0.0, 8.0, 21.0):
+        found = poses(cove, t)
+        assert found["boat-moored"].afloat == found["buoy"].afloat == 1
+        assert found["boat-beach"].afloat == 0
+        assert found["buoy"].axes[2, 2] > 0.97
+        for name in ("boat-moored", "buoy"):
+            assert abs(water_line(cove, t, name)) < 0.05

@@ -360,3 +360,28 @@ def test_session_script_undo_and_recovery(tmp_path):
     assert packed(recovered.level.meshes[name]) == packed(session.level.meshes[name])
     for one in (recovered, again):
         one.close()
+
+
+def test_what_a_mesh_hides_from_itself():
+    """L03: a ball and a block hide nothing; the floor of a deep box sees little sky, its rim much."""
+    from shorewright.level.scatter_shapes import icosphere
+
+    vertices, triangles = icosphere(3)
+    assert made_of(vertices[triangles]).open_sky.min() == 1
+    assert block((1, 4, 2)).open_sky.min() == 1
+    steps = np.linspace(-1, 1, 9)
+    grid = np.array([(a, b) for a in steps for b in steps])
+    quads = [(i * 9 + j, i * 9 + j + 1, i * 9 + j + 10, i * 9 + j + 9) for i in range(8) for j in range(8)]
+    faces = np.array([f for a, b, c, d in quads for f in ((a, b, c), (a, c, d))])
+    floor = np.column_stack([grid[:, ::-1], np.zeros(81)])[faces]
+    wall = np.column_stack([np.ones(81), grid + np.array([0, 1])])[faces[:, ::-1]]
+    walls = [wall @ np.array([(c, s, 0), (-s, c, 0), (0, 0, 1)], float) for c, s in ((1, 0), (0, 1), (-1, 0), (0, -1))]
+    pit = made_of(np.concatenate([floor, *walls]))
+    middle = (np.abs(pit.vertices) < 0.01).all(axis=1)
+    # a 2 × 2 m opening 2 m above (Howell, catalog of configuration factors, C-11, four corners)
+    x = 1 / 2
+    whole = 4 / (2 * np.pi) * 2 * x / np.sqrt(1 + x * x) * np.arctan(x / np.sqrt(1 + x * x))
+    assert pit.open_sky[middle].mean() == pytest.approx(whole, abs=0.08)
+    rim = pit.vertices[:, 2] > 1.99
+    assert pit.open_sky[rim].mean() > pit.open_sky[middle].mean() + 0.1
+    assert np.isfinite(made_of(np.random.default_rng(1).normal(size=(50, 3, 3))).open_sky).all()

@@ -27,7 +27,7 @@ def draw(frame: Frame) -> None:
         return
     ctx, target = frame.renderer.ctx, frame.targets.gbuffer
     held: Buffers = buffers(frame, "lids")
-    frame.renderer.uploader.sent["props"] += held.keep(things)
+    frame.renderer.uploader.sent["props"] += held.keep(things, shaded=False)
     seen_from = eye(frame)
     things = seen(things, seen_from.position, seen_from.planes, seen_from.pixel)
     target.use()

@@ -6,10 +6,12 @@
 #include "lib/prop.glsl"
 out vec3 v_relative, v_normal, v_colour, v_local;
 out float v_over;  // metres over the water line
+out float v_open;
 
 void main() {
     v_relative = prop_relative();
     v_normal = prop_turned(in_normal);
+    v_open = in_open;
     v_colour = in_colour;
     v_local = in_position * length(in_up.xyz);
     // what stands goes by the still sea
@@ -26,7 +28,7 @@ void main() {
 #include "lib/gbuffer.glsl"
 #include "lib/noise.glsl"
 in vec3 v_relative, v_normal, v_colour, v_local;
-in float v_over;
+in float v_over, v_open;
 
 const float ROUGHNESS = 0.62, WET_ROUGHNESS = 0.3, SPECULAR = 0.04;
 const float POROUS = 0.6;  // share of its light that a wet surface keeps
@@ -45,7 +47,7 @@ void main() {
 #ifdef MARK
     shown = v_colour;
 #endif
-    write_gbuffer(Surface(albedo, 1.0, n, mix(ROUGHNESS, WET_ROUGHNESS, damp), SPECULAR, LAND, 0.0, damp, shown,
+    write_gbuffer(Surface(albedo, v_open, n, mix(ROUGHNESS, WET_ROUGHNESS, damp), SPECULAR, LAND, 0.0, damp, shown,
                           eye_depth_of(v_relative), position.xy));
 }
 #endif

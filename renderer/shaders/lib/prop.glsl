@@ -3,6 +3,7 @@
 in vec3 in_position;
 in vec3 in_normal;
 in vec3 in_colour;  // linear albedo
+in float in_open;   // share of the sky that the mesh itself leaves open
 in vec4 in_east, in_north, in_up;
 in vec4 in_mark;    // colour of the view of props, height of the water line in metres over the mesh's origin
 
