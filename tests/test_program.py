@@ -15,6 +15,7 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": "
             "terrain.glsl": ({"GROUND_CHEAP": ""},
                              {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": "", "MOST_LAYERS": "3"}),
             "light.glsl": ({}, {"WHITE": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
+            "props.glsl": ({}, {"MARK": ""}), "prop_shadow.glsl": ({}, {"PROP": ""}),
             "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)

@@ -142,6 +142,7 @@ def info(level: LevelPath, *, as_json: Json = False) -> int:
     rows = [("level", told["name"]), ("ground", _shape(found)), ("heights", heights)]
     rows.append(("sea", f"{100 * told['sea_share']:.0f} % of the level"))
     rows += [("map", f"{m['name']}: {m['tiles']} tiles, {m['bytes'] / 2**20:.2f} MB") for m in told["layers"]]
+    rows += [("mesh", f"{m['name']}: {m['triangles']} triangles") for m in told["meshes"]]
     for thing in told["objects"]:
         place = f"{thing['x']:.1f}, {thing['y']:.1f}"
         rows.append((thing["kind"], f"{thing['name']} at {place}"))
@@ -174,6 +175,7 @@ def _told(level, path: Path) -> dict:
         "highest_m": float(height.max()),
         "sea_share": float(np.mean(height < level.sea_level_m)),
         "layers": layers,
+        "meshes": [{"name": key, "triangles": len(mesh.triangles)} for key, mesh in sorted(level.meshes.items())],
         "objects": objects,
         "cameras": [thing["name"] for thing in objects if thing["kind"] == "camera"],
         "georeference": level.georeference,
