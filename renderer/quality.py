@@ -30,6 +30,7 @@ class Tier:
     scatter_share: float  # of the grass that is drawn; a tier draws what the one below draws, and more
     scatter_reach: float  # of the distance up to which things are drawn
     scale: float
+    reflections: bool  # the sea mirrors the land that is seen, not one colour of land (H17)
     sea_exact: bool  # the drawn surface is found along each pixel's ray: the twin's within 3 cm, not the mesh's
     mips_blended: bool  # detail textures blend between two mip levels, which in software costs a second fetch
     ground_texels: int  # samples a side of the ground's textures; all have one pattern
@@ -57,6 +58,7 @@ _SEA = _columns(
     sea_reach=(5.0, 8.0, 14.0),
     sea_chunk=(16, 16, 16),
     sea_distance_m=(1500.0, 2500.0, 4000.0),
+    reflections=(False, True, True),
     sea_exact=(False, True, True),
 )
 _LIGHT = _columns(

@@ -164,6 +164,8 @@ VIEWS: dict[str, View] = {
         View("surface_eye_depth", "Depth from the surface", "Along the view, from the water to its bed, 20 m to white.",
              "vec3(on_sea * max(texelFetch(under_eye_depth, pixel, 0).r - s.eye_depth, 0.0))",
              "grey", 0, 20, ids="H12 H14"),
+        View("reflections", "Reflections", "The land that the water mirrors, before Fresnel; black where it is sky.",
+             "on_sea * mirrored_land(s, ray * s.eye_depth)", "light", ids="H17"),
         View("glint", "Glint", "The sun in the water's mirror, without haze.",
              "on_sea * sun_glint(s, ray * s.eye_depth)", "light", ids="L07"),
         View("crest_light", "Crest light", "The sun that comes through the crests of waves, as a share of it.",

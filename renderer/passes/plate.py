@@ -7,6 +7,7 @@ with views bent by its waves. The light pass then has only the sea left to light
 from __future__ import annotations
 
 from ..frame import Frame
+from . import reflections
 from .sea import water_shown
 
 
@@ -19,13 +20,20 @@ def in_use(frame: Frame) -> bool:
     return frame.tier.name != "low" and frame.level.settings.water.model == "plate"
 
 
+def land_first(frame: Frame) -> bool:
+    """Whether the land is lit before the sea: for the plates, or to be mirrored."""
+    return in_use(frame) or reflections.in_use(frame)
+
+
 def draw(frame: Frame) -> None:
-    if not in_use(frame):
+    if not land_first(frame):
         return
     targets = frame.targets
     targets.hdr.use()
     targets.hdr.clear()
     frame.shader("light.glsl", LAND_FIRST="").fullscreen()
+    if not in_use(frame):
+        return
     width, height = targets.plate_size
     targets.plates.use()
     targets.plates.viewport = (0, 0, width, height)

@@ -13,6 +13,10 @@ void main() { fullscreen_triangle(); }
 #include "lib/glare.glsl"
 #include "lib/shadow.glsl"
 #include "lib/land_light.glsl"
+#ifdef REFLECTIONS
+#include "lib/reflections.glsl"
+uniform float u_water_reflections;
+#endif
 out vec4 out_radiance;
 uniform float u_light_bounce;
 #ifdef WHITE
@@ -56,9 +60,18 @@ void main() {
     vec3 ambient = sky_irradiance(s.normal) * s.open + bounce;
     vec3 mirrored = sky_lobe(mirror, s.roughness) * s.open + bounce / PI;
     if (s.material == SEA && s.roughness < 0.6) {
-        // the coast in the water, as bright as land of a middling albedo
-        float coast = land_in_mirror(u_camera + relative, normalize(vec3(mirror.xy, max(mirror.z, 0.02))));
-        mirrored = mix(mirrored, coast_radiance(), coast);
+        vec4 land = vec4(0.0);
+        float known = 0.0;
+#ifdef REFLECTIONS
+        land = land_mirrored(relative, mirror, s.roughness, known) * u_water_reflections;
+        known *= u_water_reflections;
+#endif
+        // elsewhere the coast in the water is as bright as land of a middling albedo
+        if (known < 1.0) {
+            float coast = land_in_mirror(u_camera + relative, normalize(vec3(mirror.xy, max(mirror.z, 0.02))));
+            mirrored = mix(mirrored, coast_radiance(), coast * (1.0 - known));
+        }
+        mirrored = mirrored * (1.0 - land.a) + land.rgb;
     }
     light += brdf_ambient(s.albedo, s.normal, to_eye, s.roughness, f0, ambient, mirrored);
     out_radiance = vec4(min(light + s.emissive, MOST_RADIANCE), 1.0);

@@ -16,6 +16,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/layer.glsl"
 #include "lib/sea_below.glsl"
 #include "lib/plate.glsl"
+#include "lib/reflections.glsl"
 uniform sampler2D u_layer_foam;
 uniform sampler2D hdr;
 #ifdef LAYER
@@ -44,6 +45,11 @@ vec3 sun_glint(Surface s, vec3 relative) {
 
 vec3 crest_light(Sea sea, Surface s, vec3 relative) {
     return water_crest_light(max(sea.height01, wave_body(sea, 1.0)), s.normal, -normalize(relative), u_sun_direction);
+}
+
+vec3 mirrored_land(Surface s, vec3 relative) {
+    float known;
+    return land_mirrored(relative, water_mirror(s.normal, -normalize(relative), s.roughness), s.roughness, known).rgb;
 }
 
 void main() {
