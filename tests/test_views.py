@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from shorewright.level import LAYERS, BadInput, Grid, Level, Rect
-from shorewright.level.objects import Camera, Disturbance, Mover, PointLight
+from shorewright.level.objects import Camera, Disturbance, Hit, Mover, PointLight
 from shorewright.renderer import SHOW_FLAGS, VIEWS, Overlays, Renderer, Ring, Show, render
 
 pytestmark = pytest.mark.gl
@@ -27,6 +27,7 @@ def small_coast():
     for thing in (
         Mover(id="mover", x=70, y=36, circle_m=4, radius_m=2, speed_mps=4),
         Disturbance(id="burst", x=86, y=40, time_s=4.5, radius_m=5, strength=5),
+        Hit(id="hit", x=80, y=40, time_s=1.0, size=6.0),
         PointLight(id="lamp", x=80, y=50, z=4, power_kcd=900),
     ):
         level.put_object(thing.id, thing)

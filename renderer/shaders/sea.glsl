@@ -53,6 +53,7 @@ void main() {
 #include "lib/sea_material.glsl"
 #include "lib/sea_find.glsl"
 #include "lib/sea_below.glsl"
+#include "lib/rings.glsl"
 uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
 uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it sinks
@@ -114,9 +115,11 @@ void main() {
     // a shore wave is lit as the steep wave it stands for: cells of half a metre carry a gentler one
     vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (1.0 + 0.9 * body * breadth);
     slope = sharp.x * (slope - 0.9 * (1.0 - breadth) * sea.shore.lift.yz) + rippled * ripple.xy;
+    vec3 rings = ring_slope(sea.position.xy, long_m) * smoothstep(0.0, 0.15, column);
+    slope += rings.xy;
     // slopes that neither the waves here nor the ripples show: together always what the wind makes (Cox & Munk 1954)
     vec2 shown = sea.deep * sharp.x * vec2(1.0, sharp.y);
-    float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled;
+    float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled + rings.z;
     vec3 normal = normalize(vec3(-slope, 1.0));
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);

@@ -52,6 +52,14 @@ vec3 mirrored_land(Surface s, vec3 relative) {
     return land_mirrored(relative, water_mirror(s.normal, -normalize(relative), s.roughness), s.roughness, known).rgb;
 }
 
+// What water_ripples adds to the normal, gusts left out; flat on land.
+vec3 ripple_normal(Surface s, vec3 relative) {
+    if (s.material != SEA) return vec3(0.0, 0.0, 1.0);
+    float pixel_m = pixel_metres(relative, vec3(0.0, 0.0, 1.0));
+    float long_m = min(length(relative) * u_pixel_angle / max(abs(normalize(relative).z), 0.02), 3.0 * pixel_m);
+    return normalize(vec3(-water_ripples(s.before, long_m).xy, 1.0));
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_FragCoord.xy);
     Surface s = read_gbuffer(pixel);

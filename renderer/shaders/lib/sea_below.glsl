@@ -2,6 +2,7 @@
 // does to its light.
 #include "lib/water.glsl"
 #include "lib/foam.glsl"
+#include "lib/rings.glsl"
 
 uniform sampler2D under_albedo, under_eye_depth;
 uniform bool u_show_refraction;
@@ -53,6 +54,8 @@ uniform bool u_caustics_on;
 uniform float u_caustics_strength, u_caustics_tile_m, u_caustics_bend, u_caustics_depth_m;
 const float CAUSTICS_TEXELS = 512.0, CAUSTICS_MEAN = 48.0 / 255.0;
 
+const float RING_LENS_M = 0.75;  // how far a metre of water throws light aside where a ring is steep (H19): three times Snell
+
 // Bright lines that waves draw on the bed: one still image, bent by a broad panning normal map (D08, H13). Mean 1. Deeper
 // down they blur, and light has come from everywhere.
 float caustics(vec2 xy, float depth, float pixel_m) {
@@ -64,6 +67,7 @@ float caustics(vec2 xy, float depth, float pixel_m) {
     vec2 one = textureLod(u_ripple, 0.31 * at + u_ripple_way[1].zz * vec2(0.6, 1.0), 2.0).xy;
     vec2 two = textureLod(u_ripple, 0.23 * at.yx - u_ripple_way[2].zz * vec2(1.0, -0.5) + 0.37, 2.0).yx;
     at += 0.055 * u_caustics_bend * (one - two);
+    if (u_ring_count > 0) at += u_caustics_bend * RING_LENS_M * clamp(depth, 0.2, 2.0) * ring_slope(xy, pixel_m).xy / u_caustics_tile_m;
     float light = textureLod(u_caustics, at, max(lod, 0.0) + 0.7 * depth).r / CAUSTICS_MEAN;
     return max(1.0 + strength * (light - 1.0), 0.0);
 }
