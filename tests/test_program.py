@@ -12,7 +12,8 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": "
             "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "openness.glsl": ({"WAYS": "8", "STEPS": "11"},),
             "terrain.glsl": ({"GROUND_CHEAP": ""},
                              {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": "", "MOST_LAYERS": "3"}),
-            "light.glsl": ({}, {"WHITE": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
+            "light.glsl": ({}, {"WHITE": ""}, {"LAND_FIRST": ""}, {"SEA_ALONE": "", "REFLECTIONS": "", "QUIET": ""}),
+            "plate.glsl": ({"DOWN": ""}, {"ALONG": ""}, {"ACROSS": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
             "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)

@@ -13,6 +13,9 @@ void main() { fullscreen_triangle(); }
 #include "lib/glare.glsl"
 #include "lib/shadow.glsl"
 #include "lib/land_light.glsl"
+#ifdef QUIET
+#include "lib/current.glsl"
+#endif
 #ifdef REFLECTIONS
 #include "lib/reflections.glsl"
 uniform float u_water_reflections;
@@ -51,8 +54,12 @@ void main() {
     vec3 f0 = vec3(s.specular);
     if (s.material == SEA) mirror = water_mirror(s.normal, to_eye, s.roughness);
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
+    float quiet = 0.0;
+#ifdef QUIET
+    if (s.material == SEA) quiet = current_at(s.before).b;
+#endif
     vec3 light = s.material == SEA
-        ? sun_on_water(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun
+        ? sun_on_water(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0, quiet) * sun
         : brdf_sun(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
     // what hides the sky is itself lit land or water, and gives part of its light back
     vec3 up = sky_irradiance(vec3(0.0, 0.0, 1.0)) + sun_radiance() * max(u_sun_direction.z, 0.0);

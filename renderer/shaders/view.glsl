@@ -40,7 +40,8 @@ vec3 material_colour(int material) {
 // The sun's mirror light as light.glsl adds it.
 vec3 sun_glint(Surface s, vec3 relative) {
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
-    return sun_highlight(s.normal, -normalize(relative), u_sun_direction, s.roughness, vec3(s.specular)) * sun;
+    return sun_highlight(s.normal, -normalize(relative), u_sun_direction, s.roughness, vec3(s.specular),
+                         current_at(s.before).b) * sun;
 }
 
 vec3 crest_light(Sea sea, Surface s, vec3 relative) {
