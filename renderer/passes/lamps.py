@@ -1,6 +1,7 @@
 """Point lights on everything in the G-buffer, land and sea alike: a rectangle of the screen for each (D01).
 
-A lamp costs the pixels within its radius, whatever they show: the sea is one more layer of the G-buffer.
+A lamp costs the pixels within its radius, whatever they show: the sea is one more layer of the G-buffer. What lies
+under water is lit in the plate that it is seen through (H12), at half size, before the water is drawn.
 """
 
 from __future__ import annotations
@@ -54,18 +55,36 @@ class Lamps:
     def __init__(self, ctx) -> None:
         self.ctx = ctx
         self.buffer = ctx.buffer(reserve=4 * FLOATS * MOST, dynamic=True)
-        self.array, self.made_for = None, None
+        self.arrays: dict[tuple, object] = {}  # by program
 
     def draw(self, shader, table: np.ndarray) -> None:
         self.buffer.write(np.ascontiguousarray(table).tobytes())
-        if self.made_for != (id(shader), shader.generation):
+        key = id(shader), shader.generation
+        if key not in self.arrays:
             content = [(self.buffer, "4f 4f 4f/i", "in_box", "in_place", "in_power")]
-            self.array, self.made_for = self.ctx.vertex_array(shader.program, content), (id(shader), shader.generation)
-        self.array.render(self.ctx.TRIANGLE_STRIP, vertices=4, instances=len(table))
+            self.arrays[key] = self.ctx.vertex_array(shader.program, content)
+        self.arrays[key].render(self.ctx.TRIANGLE_STRIP, vertices=4, instances=len(table))
 
     def release(self) -> None:
-        for thing in filter(None, (self.array, self.buffer)):
+        for thing in (*self.arrays.values(), self.buffer):
             thing.release()
+
+
+def lamps(frame: Frame) -> Lamps:
+    return frame.renderer.kept.get("lamps") or frame.renderer.kept.setdefault("lamps", Lamps(frame.renderer.ctx))
+
+
+def draw_under(frame: Frame) -> int:
+    """Add the lamps' light to plate A, the target in use; returns how many there are."""
+    table = visible(frame)
+    if len(table):
+        ctx = frame.renderer.ctx
+        shader = frame.shader("lamps.glsl", UNDER="")
+        ctx.enable(ctx.BLEND)
+        ctx.blend_func = ctx.DST_ALPHA, ctx.ONE, ctx.ZERO, ctx.ONE  # a plate's colour is premultiplied by its weight
+        lamps(frame).draw(shader, table)
+        ctx.disable(ctx.BLEND)
+    return len(table)
 
 
 def draw(frame: Frame) -> None:
@@ -76,12 +95,10 @@ def draw(frame: Frame) -> None:
     frame.stats["lamps"] = len(table)
     if not len(table):
         return
-    ctx, kept = frame.renderer.ctx, frame.renderer.kept
-    if "lamps" not in kept:
-        kept["lamps"] = Lamps(ctx)
+    ctx = frame.renderer.ctx
     frame.targets.hdr.use()
     shader = frame.shader("lamps.glsl")
     ctx.enable(ctx.BLEND)
     ctx.blend_func = ctx.ONE, ctx.ONE
-    kept["lamps"].draw(shader, table)
+    lamps(frame).draw(shader, table)
     ctx.disable(ctx.BLEND)

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from ..frame import Frame
 from . import reflections
+from .lamps import draw_under
 from .sea import water_shown
 
 
@@ -38,6 +39,8 @@ def draw(frame: Frame) -> None:
     targets.plates.use()
     targets.plates.viewport = (0, 0, width, height)
     frame.shader("plate.glsl", DOWN="").fullscreen()
+    # what lamps light may be any number of times as bright as the day makes white
+    frame.uniforms["u_bed_most"] = 1e5 if draw_under(frame) else 3.0
     targets.plate_half.use()
     frame.shader("plate.glsl", ALONG="").fullscreen()
     targets.plates.use()

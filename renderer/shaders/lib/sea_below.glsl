@@ -9,6 +9,7 @@ uniform bool u_show_refraction;
 uniform float u_water_bend;
 #ifdef PLATE
 #include "lib/plate.glsl"
+uniform float u_bed_most;  // brightest bed, as an albedo under sun and sky
 uniform float u_water_blur_distance_m, u_water_dispersion;
 
 // Radiance of what lies `thickness` metres of water behind the surface, blurred with the way (H12); red is bent less
@@ -80,7 +81,7 @@ vec3 light_from_below(
     float sun_up = max(u_sun_direction.z, 0.0);
 #ifdef PLATE
     // a plate holds the bed's radiance in air, caustics in it: what albedo that is under this light
-    vec3 bed = clamp(3.14159265 * bed_albedo / max(sun * sun_up + sky, vec3(1e-6)), 0.0, 3.0);
+    vec3 bed = clamp(3.14159265 * bed_albedo / max(sun * sun_up + sky, vec3(1e-6)), 0.0, u_bed_most);
 #else
     vec3 bed = bed_albedo * caustics(bed_xy, depth, pixel_m);
 #endif
