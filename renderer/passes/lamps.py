@@ -12,20 +12,25 @@ from ...level.objects import PointLight
 from ..frame import Frame
 
 MOST = 256  # the nearest ones
+UNSEEN = 0.002  # of the daylight: less light on the bed than that is not looked for
 FLOATS = 12  # rectangle (left, low, right, high), camera-relative place and radius, power and nothing
 
 
-def visible(frame: Frame) -> np.ndarray:
-    """Rows of FLOATS for the lamps that can be seen, the nearest first, float32 `(n, FLOATS)`."""
+def visible(frame: Frame, over: float = 0.0) -> np.ndarray:
+    """Rows of FLOATS for the lamps that can be seen, the nearest first, float32 `(n, FLOATS)`.
+
+    With `over` klx, times the sky's unit, none reaches farther than it is that bright.
+    """
     matrices, rows = frame.matrices, []
     for lamp in frame.level.objects.values():
         if not isinstance(lamp, PointLight) or lamp.power_kcd <= 0:
             continue
         place = np.array(lamp.place(frame.time_s)) - matrices.position
-        box = screen_box(matrices, place, lamp.radius_m)
+        power = lamp.power_kcd * np.array([lamp.red, lamp.green, lamp.blue]) * frame.renderer.sky.light.unit
+        radius_m = min(lamp.radius_m, float(np.sqrt(power.max() / over))) if over > 0 else lamp.radius_m
+        box = screen_box(matrices, place, radius_m)
         if box is not None:
-            power = lamp.power_kcd * np.array([lamp.red, lamp.green, lamp.blue]) * frame.renderer.sky.light.unit
-            rows.append((*box, *place, lamp.radius_m, *power, 0.0))
+            rows.append((*box, *place, radius_m, *power, 0.0))
     table = np.array(rows, np.float32).reshape(-1, FLOATS)
     return table[np.argsort((table[:, 4:7] ** 2).sum(axis=1), kind="stable")[:MOST]]
 
@@ -76,7 +81,8 @@ def lamps(frame: Frame) -> Lamps:
 
 def draw_under(frame: Frame) -> int:
     """Add the lamps' light to plate A, the target in use; returns how many there are."""
-    table = visible(frame)
+    light, up = frame.renderer.sky.light, max(float(frame.uniforms["u_sun_direction"][2]), 0.0)
+    table = visible(frame, UNSEEN * float(light.on_level(up).max()))
     if len(table):
         ctx = frame.renderer.ctx
         shader = frame.shader("lamps.glsl", UNDER="")

@@ -56,6 +56,7 @@ void main() {
     vec3 relative = pixel_ray() * s.eye_depth;
 #endif
     vec3 way = v_place.xyz - relative;
+    if (s.material == SEA && way.z < 0.0) discard;  // a lamp under water lights the bed, not the surface from above
     float away2 = dot(way, way), radius2 = v_place.w * v_place.w;
     if (away2 >= radius2) discard;
     // window of Karis, Real Shading in Unreal Engine 4 (2013)
