@@ -144,8 +144,7 @@ VIEWS: dict[str, View] = {
         View("foam_constant", "Foam: constant", "Painted foam that is always there.",
              "vec3(on_sea * foam_painted(layer_at(u_layer_foam, s.before, u_cell_m).rg, sea.shore).y)", ids="D07"),
         View("foam_shadow", "Foam shadow", "Black where foam shades what lies below.",
-             "vec3(on_sea * foam_shade(s.before, sea.bed.depth.x, layer_at(u_layer_foam, s.before, u_cell_m).rg,"
-             " current_at(s.before), s.eye_depth * u_pixel_angle))", ids="D21"),
+             "vec3(on_sea * shade_of_foam(sea, s))", ids="D21"),
         View("caustics", "Caustics", "Light that waves gather on the bed; grey is the mean.",
              "vec3(on_sea * 0.3 * caustics(below, max(u_still_m - ground.x, 0.0), s.eye_depth * u_pixel_angle))",
              ids="D08 H13"),

@@ -80,6 +80,8 @@ void fade_surf(inout Sea sea) {
     sea.bed.depth.x = max(sea.bed.depth.x, u_apron.y * open_sea * open_sea);
 }
 
+vec2 painted_foam(vec2 xy) { return u_show_painted_foam ? layer_at(u_layer_foam, xy, u_cell_m).rg : vec2(0.0); }
+
 void main() {
 #ifdef HORIZON
     vec3 ray = pixel_ray();
@@ -124,7 +126,7 @@ void main() {
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
-    vec2 painted = u_show_painted_foam ? layer_at(u_layer_foam, before, u_cell_m).rg : vec2(0.0);
+    vec2 painted = painted_foam(before);
     vec4 current = current_at(before), force = force_at(sea.position.xy);
     current.rg += force.xy;
     stirred = force.w;
@@ -142,7 +144,8 @@ void main() {
     float face = wave_face(sea, normal, body);
     depth += 1.3 * face;
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
-    from_below *= wave_shade(normal, body) * foam_shade(before, sea.bed.depth.x, painted, current, pixel_m);
+    vec2 shade_at = foam_shade_place(before, sea.bed.depth.x);
+    from_below *= wave_shade(normal, body) * foam_shade(shade_at, painted_foam(shade_at), current_at(shade_at), pixel_m);
     from_below = bubbles(from_below, foam, sun, sky);
     // foam lets some of what comes through the crest on
     vec3 crest = water_crest_light(max(sea.height01 * sharp.x, body), normal, to_eye, u_sun_direction) * sun;

@@ -48,6 +48,11 @@ vec3 crest_light(Sea sea, Surface s, vec3 relative) {
     return water_crest_light(max(sea.height01, wave_body(sea, 1.0)), s.normal, -normalize(relative), u_sun_direction);
 }
 
+float shade_of_foam(Sea sea, Surface s) {
+    vec2 at = foam_shade_place(s.before, sea.bed.depth.x);
+    return foam_shade(at, layer_at(u_layer_foam, at, u_cell_m).rg, current_at(at), s.eye_depth * u_pixel_angle);
+}
+
 vec3 mirrored_land(Surface s, vec3 relative) {
     float known;
     return land_mirrored(relative, water_mirror(s.normal, -normalize(relative), s.roughness), s.roughness, known).rgb;

@@ -29,23 +29,23 @@ vec3 through_plates(vec2 here, vec2 bent, float thickness) {
 // Colour and thickness of the land below, looked up where the wave bends the view; never from before the water.
 vec4 below(vec3 normal, float eye_depth, float away) {
     ivec2 size = textureSize(under_eye_depth, 0), here = ivec2(gl_FragCoord.xy);
-    ivec2 bent = here;
+    vec2 bent = vec2(here) + 0.5;
     if (u_show_refraction) {
         float depth = texelFetch(under_eye_depth, here, 0).r - eye_depth;
         vec2 shift = vec2(dot(normal.xy, normalize(u_ray_x.xy + 1e-6)), dot(normal.xy, normalize(u_ray_y.xy + 1e-6)));
         shift *= 0.25 * u_water_bend * clamp(depth, 0.0, 3.0) / (eye_depth * u_pixel_angle);
-        bent = clamp(here + ivec2(clamp(shift, -60.0, 60.0)), ivec2(0), size - 1);
+        bent = clamp(bent + clamp(shift, -60.0, 60.0), vec2(0.5), vec2(size) - 0.5);
     }
-    float depth = texelFetch(under_eye_depth, bent, 0).r;
+    float depth = texelFetch(under_eye_depth, ivec2(bent), 0).r;
     if (depth <= eye_depth) {
-        bent = here;
+        bent = vec2(here) + 0.5;
         depth = texelFetch(under_eye_depth, here, 0).r;
     }
     float thickness = depth > eye_depth ? (depth - eye_depth) * away / eye_depth : (depth > 0.0 ? 0.0 : 1e4);
 #ifdef PLATE
-    return vec4(through_plates(vec2(here) + 0.5, vec2(bent) + 0.5, thickness), thickness);
+    return vec4(through_plates(vec2(here) + 0.5, bent, thickness), thickness);
 #else
-    vec3 albedo = texelFetch(under_albedo, bent, 0).rgb;
+    vec3 albedo = texelFetch(under_albedo, ivec2(bent), 0).rgb;
     return vec4(albedo * albedo, thickness);
 #endif
 }
