@@ -131,6 +131,20 @@ def test_constant_foam_follows_the_shore_and_height_foam_the_crests(renderer):
 
 
 @pytest.mark.gl
+def test_the_highest_crests_bear_some_foam_out_of_the_box(renderer):
+    """H18: with nothing set, on some per cent of the open sea; none on a calm, none in a light wind."""
+    level = beach()
+    level.write("height", level.grid.rect, -30.0)
+    look = camera(x=80.0, y=100.0, z=60.0, yaw=0.0, pitch=-60.0)
+    share = np.mean([foam(level, renderer, t, None, "foam_height", look) > 0.1 for t in (0.0, 5.0, 11.0)])
+    assert 0.003 < share < 0.12
+    for name, value in (("sea.wind_mps", 3.0), ("sea.swell_m", 0.0)):
+        level = beach(**{name: value})
+        level.write("height", level.grid.rect, -30.0)
+        assert foam(level, renderer, 5.0, None, "foam_height", look).max() == 0
+
+
+@pytest.mark.gl
 def test_foam_shades_the_bed_towards_the_sun(renderer):
     """D21: nothing without foam; black and white mask under it; less where the strength is less."""
     bare = foam(still_beach(), renderer, 1.0, None, "foam_shadow")
