@@ -33,7 +33,10 @@ def group_speed_mps(k: float) -> float:
 
 
 def rings(level: Level, t: float, centre: tuple[float, float]) -> np.ndarray:
-    """World x, y, age s (−1: it floats), reach m, wave number 1/m, slope, fading m, phase of what draws rings at t."""
+    """Rings at time t, hits before what floats.
+
+    World x, y, radius m of the middle (−1: it floats), reach m, wave number 1/m, slope, fading m, phase.
+    """
     knobs, rows = level.settings.things, []
     if knobs.rings <= 0:
         return np.zeros((0, 8), np.float32)
@@ -43,7 +46,8 @@ def rings(level: Level, t: float, centre: tuple[float, float]) -> np.ndarray:
         elif isinstance(thing, Prop) and thing.floats and thing.ripples:
             rows.append(_float(thing, t, knobs))
     rows.sort(key=lambda row: math.hypot(row[0] - centre[0], row[1] - centre[1]))
-    return np.array(rows[:MOST], np.float32).reshape(-1, 8)
+    rows = sorted(rows[:MOST], key=lambda row: row[2] < 0)
+    return np.array(rows, np.float32).reshape(-1, 8)
 
 
 def _hit(hit: Hit, age_s: float, knobs) -> tuple:
@@ -52,7 +56,7 @@ def _hit(hit: Hit, age_s: float, knobs) -> tuple:
     left = math.exp(-age_s / knobs.ring_s) * (1 - (age_s / (SPENT * knobs.ring_s)) ** 2)
     rise = min(radius_m * k / math.pi, 1.0)  # it has to open before it is a ring
     slope = knobs.rings * HIT_SLOPE * min(math.sqrt(hit.size), 1.5) * left * rise
-    return hit.x, hit.y, age_s, 2.3 * radius_m, k, slope, 0.8 * math.sqrt(hit.size), 0.0
+    return hit.x, hit.y, radius_m, 2.3 * radius_m, k, slope, 0.8 * math.sqrt(hit.size), 0.0
 
 
 def _float(prop: Prop, t: float, knobs) -> tuple:

@@ -84,7 +84,12 @@ def ring_uniforms(level: Level, time_s: float, position) -> dict:
     rows = rings(level, time_s, (float(position[0]), float(position[1])))
     table = np.zeros((2, MOST, 4), np.float32)
     table[0, : len(rows)], table[1, : len(rows)] = rows[:, :4], rows[:, 4:]
-    return {"u_ring_count": len(rows), "u_ring_place": table[0], "u_ring_wave": table[1]}
+    return {
+        "u_ring_hits": int((rows[:, 2] >= 0).sum()),
+        "u_ring_count": len(rows),
+        "u_ring_place": table[0],
+        "u_ring_wave": table[1],
+    }
 
 
 def shore_field_uniforms(level: Level) -> dict[str, float]:

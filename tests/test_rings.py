@@ -103,8 +103,9 @@ def test_slopes_are_the_closed_form(renderer):
     picture = slopes(renderer, level, 1.0 + t, near)
     place = seen(renderer, level, 1.0 + t, "position", near)[..., :2]
     away = np.hypot(place[..., 0] - PLACE[0], place[..., 1] - PLACE[1])
-    _, _, _, reach, k, slope, fading, _ = rings(level, 1.0 + t, PLACE)[0].astype(float)
+    _, _, radius_m, reach, k, slope, fading, _ = rings(level, 1.0 + t, PLACE)[0].astype(float)
     middle = group_speed_mps(k) * t
+    assert radius_m == pytest.approx(middle)
     bell = np.exp2(-2.7 * np.log2(middle / away) ** 2)
     expected = slope * bell * np.sqrt(fading / (away + fading)) * np.sin(9.81 * t**2 / (4 * away)) * (away < reach)
     outward = (picture * (place - PLACE)).sum(axis=2) / away

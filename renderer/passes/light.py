@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..below import lowest_rows, water_rows
 from ..frame import Frame
 from . import reflections
 from .plate import land_first
@@ -22,7 +23,8 @@ def draw(frame: Frame) -> None:
     frame.targets.hdr.use()
     quiet = quiet_defines(frame)
     if land_first(frame):  # it is lit already (H12)
-        frame.shader("light.glsl", SEA_ALONE="", **reflections.defines(frame), **quiet).fullscreen()
+        with lowest_rows(frame.targets.hdr, water_rows(frame, frame.size[1])):
+            frame.shader("light.glsl", SEA_ALONE="", **reflections.defines(frame), **quiet).fullscreen()
         return
     frame.targets.hdr.clear()
     white = {"WHITE": ""} if frame.view.scene == "white" else {}

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ..below import lowest_rows, water_rows
 from ..frame import Frame
 from .sea import water_shown
 
@@ -23,6 +24,7 @@ def draw(frame: Frame) -> None:
     if not in_use(frame):
         return
     targets = frame.targets
-    targets.mirrored.use()
-    frame.shader("reflections.glsl").fullscreen()
+    targets.mirrored.clear()
+    with lowest_rows(targets.mirrored, water_rows(frame, targets.plate_size[1])):
+        frame.shader("reflections.glsl").fullscreen()
     targets.textures["u_mirrored"].build_mipmaps(max_level=4)
