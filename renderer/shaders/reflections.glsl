@@ -15,6 +15,7 @@ uniform sampler2D hdr, under_eye_depth;
 const vec2 EDGE = vec2(0.015, 0.06);  // of the picture's height, over which knowledge ends at its sides, top and bottom
 // where land is asked for while only the sea's floor is seen: parts of the view's angle from the plane to the mirror
 const float SHEET_M = 1.5;        // water runs up the sand no higher
+const float SAND_M = 0.6;         // the sand it runs up on is no higher near by: its grain would be mirrored as stripes
 const int GUESSES = 6, STEPS = 9;
 const float GUESS[GUESSES] = float[GUESSES](0.03125, 0.0833, 0.25, 0.5, 0.75, 1.0);
 
@@ -23,7 +24,7 @@ const float GUESS[GUESSES] = float[GUESSES](0.03125, 0.0833, 0.25, 0.5, 0.75, 1.
 struct Line {
     vec3 ray;       // to the plane, one metre of eye depth long
     float plane_m;  // eye depth of the plane
-    float height;   // of the plane in the world
+    float height;   // over which things are mirrored: that of the plane in the world, or a little more
 };
 vec3 along(Line line, float m) { return vec3(line.ray.xy, (2.0 * m - 1.0) * line.ray.z); }
 
@@ -47,7 +48,7 @@ Seen seen_at(Line line, float m) {
     if (seen.eye_depth <= 0.0) return seen;
     float forward = dot(way, u_forward);
     seen.standing = forward * line.plane_m / seen.eye_depth;
-    seen.emerged = u_camera.z + way.z * seen.eye_depth / forward > line.height + 0.02;
+    seen.emerged = u_camera.z + way.z * seen.eye_depth / forward > line.height;
     return seen;
 }
 
@@ -70,7 +71,7 @@ bool find_land(Line line, inout Seen seen, inout float m) {
         seen = seen_at(line, m);
         if (seen.eye_depth <= 0.0 && after < 0.0) return false;
         if (seen.emerged && abs(seen.standing - m) < 0.004 * m) return true;
-        if (seen.standing > m) after = m;
+        if (seen.emerged && seen.standing > m) after = m;
         else before = m;
     }
     return seen.eye_depth > 0.0;
@@ -98,15 +99,16 @@ void main() {
     float fall = u_level_sea_level_m - u_camera.z;
     if (line.ray.z * fall <= 0.0 || fall >= 0.0) return;
     line.plane_m = fall / line.ray.z;
-    line.height = u_level_sea_level_m;
+    line.height = u_level_sea_level_m + 0.02;
     float m = 1.0;
     Seen seen = seen_at(line, m);
     if (seen.standing > 1.0) {  // land hides the plane: a sheet may lie on it; higher up it is what waves see that look past it
-        line.height = u_camera.z + line.ray.z * seen.eye_depth;
+        fall = line.ray.z * seen.eye_depth;
         line.plane_m = seen.eye_depth;
-        fall = line.height - u_camera.z;
+        line.height = u_camera.z + fall + SAND_M;
+        seen.emerged = false;
     }
-    if (line.height > u_level_sea_level_m + SHEET_M) {
+    if (u_camera.z + fall > u_level_sea_level_m + SHEET_M) {
         out_mirrored = vec4(min(lit_land(seen.pixel), vec3(15000.0)), 1.0);
         out_way = vec2(1.0 / max(length(line.ray.xy) * seen.eye_depth, 0.01), 1.0);
         return;
