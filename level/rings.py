@@ -43,7 +43,7 @@ def rings(level: Level, t: float, centre: tuple[float, float]) -> np.ndarray:
     for thing in level.objects.values():
         if isinstance(thing, Hit) and 0 < t - thing.time_s < SPENT * knobs.ring_s:
             rows.append(_hit(thing, t - thing.time_s, knobs))
-        elif isinstance(thing, Prop) and thing.floats and thing.ripples:
+        elif isinstance(thing, Prop) and thing.floats and thing.ripples and knobs.on:
             rows.append(_float(thing, t, knobs))
     rows.sort(key=lambda row: math.hypot(row[0] - centre[0], row[1] - centre[1]))
     rows = sorted(rows[:MOST], key=lambda row: row[2] < 0)

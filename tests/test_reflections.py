@@ -137,3 +137,19 @@ def test_low_quality_leaves_them_out(renderer):
     on = picture(renderer, level, quality="low")
     level.set("water.reflections", 0.0)
     assert np.array_equal(on, picture(renderer, level, quality="low"))
+
+
+@pytest.mark.gl
+def test_a_wall_that_the_picture_cuts_off_goes_on_in_the_mirror(renderer, still):
+    """H17: where the mirrored ray leaves the picture over land its edge is repeated for a while, over sky it is sky."""
+    mirrored = picture(renderer, still, "reflections", pitch=-18.0)
+    lit = picture(renderer, still, pitch=-18.0)
+    sea = picture(renderer, still, "material", pitch=-18.0)[..., 2] > 0.7
+    tall = mirrored[sea[:, 110], 110]
+    assert sea[0, 110] == 0  # the wall reaches the top of the picture
+    assert (tall[:20].min(axis=1) > 0.02).all()
+    cut = np.flatnonzero(sea[:, 110])[0]
+    seen_m = 2 * cut  # rows down to where the mirror image of what is seen ends
+    beyond = mirrored[seen_m : seen_m + 6, 110]
+    assert beyond.max() < 1.5 * lit[:cut, 110].max()
+    assert beyond.min() > 0

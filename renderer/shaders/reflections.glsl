@@ -12,7 +12,8 @@ void main() { fullscreen_triangle(); }
 layout(location = 0) out vec4 out_mirrored;  // radiance times share, share of the mirror that is land
 layout(location = 1) out vec2 out_way;       // one over the level metres from the eye to what is mirrored, share that is known
 uniform sampler2D hdr, under_eye_depth;
-const vec2 EDGE = vec2(0.015, 0.06);  // of the picture's height, over which knowledge ends at its sides, top and bottom
+// how far beyond the picture's sides, and its top and bottom, its edge is taken to go on: shares of its height
+const vec2 BEYOND = vec2(0.08, 0.5);
 // where land is asked for while only the sea's floor is seen: parts of the view's angle from the plane to the mirror
 const float SHEET_M = 1.5;        // water runs up the sand no higher
 const float SAND_M = 0.6;         // the sand it runs up on is no higher near by: its grain would be mirrored as stripes
@@ -28,23 +29,26 @@ struct Line {
 };
 vec3 along(Line line, float m) { return vec3(line.ray.xy, (2.0 * m - 1.0) * line.ray.z); }
 
-vec2 pixel_of(vec3 way) {
-    vec4 clip = u_view_projection * vec4(way, 0.0);
-    return clip.w > 1e-6 ? (clip.xy / clip.w * 0.5 + 0.5) * u_size : vec2(-1e6);
-}
-
 // What the eye sees in the direction where the ray has gone 1 / m as far as the plane.
 struct Seen {
-    vec2 pixel;
+    vec2 pixel;       // in the picture
     float eye_depth;  // 0: sky
+    float known;      // 1 where the direction is in the picture, less beside it
     float standing;   // m at which the ray would meet it if it stood upright
     bool emerged;     // out of the water
 };
 Seen seen_at(Line line, float m) {
     vec3 way = along(line, m);
-    Seen seen = Seen(pixel_of(way), 0.0, 0.0, false);
-    if (any(lessThan(seen.pixel, vec2(0.0))) || any(greaterThanEqual(seen.pixel, u_size))) return seen;
+    vec4 clip = u_view_projection * vec4(way, 0.0);
+    Seen seen = Seen(vec2(0.0), 0.0, 0.0, 0.0, false);
+    if (clip.w <= 1e-6) return seen;
+    vec2 at = (clip.xy / clip.w * 0.5 + 0.5) * u_size;
+    seen.pixel = clamp(at, vec2(0.5), u_size - 0.5);
     seen.eye_depth = texelFetch(under_eye_depth, ivec2(seen.pixel), 0).r;
+    vec2 off = abs(at - seen.pixel) / (BEYOND * u_size.y);
+    // over sky there is sky
+    if (seen.eye_depth <= 0.0 && at.y > 0.0) off.y = 0.0;
+    seen.known = clamp(1.0 - max(off.x, off.y), 0.0, 1.0);
     if (seen.eye_depth <= 0.0) return seen;
     float forward = dot(way, u_forward);
     seen.standing = forward * line.plane_m / seen.eye_depth;
@@ -65,7 +69,10 @@ bool find_land(Line line, inout Seen seen, inout float m) {
             m = min(seen.standing, m);
         } else {
             while (guess < GUESSES && 1.0 - GUESS[guess] >= m) ++guess;
-            if (guess == GUESSES) return false;
+            if (guess == GUESSES) {
+                seen.known = seen.known < 1.0 ? 0.0 : 1.0;
+                return false;
+            }
             m = 1.0 - GUESS[guess];
         }
         seen = seen_at(line, m);
@@ -75,12 +82,6 @@ bool find_land(Line line, inout Seen seen, inout float m) {
         else before = m;
     }
     return seen.eye_depth > 0.0;
-}
-
-// 1 inside the picture, 0 on its edge.
-float inside(vec2 pixel) {
-    vec2 edge = min(pixel, u_size - pixel) / (EDGE * u_size.y);
-    return clamp(min(edge.x, edge.y), 0.0, 1.0);
 }
 
 vec3 lit_land(vec2 pixel) {
@@ -114,12 +115,12 @@ void main() {
         return;
     }
     if (!find_land(line, seen, m)) {
-        out_way.y = inside(pixel_of(along(line, 0.0)));
+        out_way.y = seen.known;
         return;
     }
     float ray_m = dot(along(line, m), u_forward) * line.plane_m / max(m, 1e-4);
     float share = 1.0 - smoothstep(1.0, 2.0, abs(seen.eye_depth - ray_m) / (0.04 * seen.eye_depth + 0.3));
-    share *= inside(seen.pixel);
+    share *= seen.known;
     if (share <= 0.0) return;
     vec3 mirror = vec3(line.ray.xy, -line.ray.z);
     float way_m = length(line.ray) * line.plane_m * (1.0 / max(m, 1e-3) - 1.0);
