@@ -153,3 +153,18 @@ def test_a_wall_that_the_picture_cuts_off_goes_on_in_the_mirror(renderer, still)
     beyond = mirrored[seen_m : seen_m + 6, 110]
     assert beyond.max() < 1.5 * lit[:cut, 110].max()
     assert beyond.min() > 0
+
+
+@pytest.mark.gl
+def test_both_models_of_the_water_mirror_the_same(renderer, still):
+    """H17, D02: land is lit first for the mirror where no plates are made of it; odd sizes are as good as even."""
+    plate = picture(renderer, still, "reflections")
+    still.set("water.model", "albedo")
+    albedo = picture(renderer, still, "reflections")
+    assert np.array_equal(plate, albedo)
+    on = picture(renderer, still)
+    assert np.abs(on - picture(renderer, still, show=Show.hide("reflections"))).max() > 0.05
+    renderer.draw(still, camera(**SEEN), (SIZE[0] + 1, SIZE[1] + 1), 3.0, "reflections", quality="medium")
+    odd = renderer.read(linear=True)
+    assert np.isfinite(odd).all()
+    assert np.median(odd[60:70, 105:115]) == pytest.approx(np.median(plate[60:70, 105:115]), rel=0.1)
