@@ -14,8 +14,10 @@ import math
 from dataclasses import dataclass, field
 
 import numpy as np
+from scipy.ndimage import map_coordinates
 
 from .dual import Dual
+from .grid import Rect
 from .level import Level
 from .objects import Disturbance, Mover
 from .settings import Force
@@ -37,6 +39,8 @@ class ForceField:
     time_s: float
     key: tuple = ()
     state: np.ndarray = field(default_factory=lambda: np.zeros((4, SIDE, SIDE)))
+    _free: np.ndarray | None = None  # what the quiet area leaves of it, `(SIDE, SIDE)`
+    _free_key: tuple = ()
     _packed: np.ndarray | None = None
 
     @property
@@ -55,7 +59,17 @@ class ForceField:
         out[:3] *= knobs.strength
         out[2] = knobs.limit_m * np.tanh(out[2] / knobs.limit_m)
         out[3] = np.clip(out[3] * knobs.foam, 0, 1)
-        return np.ascontiguousarray(np.moveaxis(out * _rim(), 0, -1), np.float32)
+        out *= _rim() if self._free is None else _rim() * self._free
+        return np.ascontiguousarray(np.moveaxis(out, 0, -1), np.float32)
+
+    def hold_down(self, level: Level) -> None:
+        """Let the layer `quiet` hold down what is drawn and sampled (D39); the state itself runs on."""
+        held = level.settings.quiet.force if not level.layers["quiet"].neutral else 0.0
+        key = held and (held, level.layer_revision("quiet"), self.first)
+        if key == self._free_key:
+            return
+        self._free_key, self._packed = key, None
+        self._free = 1 - held * _quiet_at(level, self.origin_m, self.settings.cell_m) if held else None
 
     def lift(self, x, y) -> Dual:
         """Height added at world points with its gradient, bilinear; the twin of `force_lift` in force.glsl."""
@@ -96,6 +110,19 @@ class ForceField:
         _flow(self.state, self.settings)
         self._packed = None
         self.time_s += STEP_S
+
+
+def _quiet_at(level: Level, origin_m: tuple[float, float], cell_m: float) -> np.ndarray:
+    """The layer `quiet` at the cells of a field, bilinear, 0 beyond the level, `(SIDE, SIDE)`."""
+    x, y = ((np.arange(SIDE) * cell_m + o) / level.grid.cell_m for o in origin_m)
+    rows, cols = level.grid.shape
+    # the part of the layer under the field, no more
+    row, col = (int(np.clip(math.floor(v[0]) - 1, 0, n - 1)) for v, n in ((y, rows), (x, cols)))
+    end_row, end_col = (int(np.clip(math.ceil(v[-1]) + 2, 1, n)) for v, n in ((y, rows), (x, cols)))
+    if end_row <= row or end_col <= col:
+        return np.zeros((SIDE, SIDE))
+    under = level.layers["quiet"].read(Rect(row, col, end_row, end_col)).astype(np.float64)
+    return map_coordinates(under, np.meshgrid(y - row, x - col, indexing="ij"), order=1)
 
 
 def _rim() -> np.ndarray:
@@ -176,4 +203,5 @@ def force_field(level: Level, t: float, centre: tuple[float, float]) -> ForceFie
     have.scroll(first)
     while have.time_s < until - 0.5 * STEP_S:
         have.step(movers, bursts)
+    have.hold_down(level)
     return have

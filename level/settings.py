@@ -127,7 +127,9 @@ class Water(Section):
     dispersion: float = param(0.0, 0, 1, "", "How differently red, green and blue are bent.", soft=(0, 0.3))
     table: str = param("", doc="Name of the water table in use; empty: what this section says.")
     bend: float = param(1.0, 0, 4, "×", "How far waves bend what is seen through them.", soft=(0, 2))
-    reflections: float = param(1.0, 0, 1, "", "How clearly the coast is mirrored.")
+    reflections: float = param(
+        1.0, 0, 1, "", "How clearly the land that is seen is mirrored; 0: as one colour of coast."
+    )
 
 
 class Light(Section):

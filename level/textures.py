@@ -104,21 +104,30 @@ def foam_texture(size: int = SIZE, seed: int = 7) -> np.ndarray:
     return to_bytes(equalise(lace), equalise(middle), equalise(dense), rim)
 
 
+def ocean_amplitude(kx: np.ndarray, ky: np.ndarray, size: int, spread: float = 2.0) -> np.ndarray:
+    """Amplitude of waves of so many cycles a tile, by the form of Phillips' spectrum (Tessendorf 2001, eq. 40).
+
+    exp(−(k₀ / k)²) k⁻² |cos|: no waves much longer than a third of the tile, for those are the mesh's; a floor under
+    the spread keeps short waves on all sides; what `size` samples could not hold is damped away.
+    """
+    k = np.maximum(np.hypot(kx, ky), 1e-9)
+    along = np.abs(kx) / k  # both ways: a real field has no direction, its scroll has
+    amplitude = np.exp(-((2.2 / k) ** 2) - (k / (size * 0.16)) ** 2) * k**-2.1 * (0.18 + along**spread)
+    return np.where(k < 1, 0, amplitude)
+
+
 @lru_cache(maxsize=4)
 def ripple_texture(size: int = 256, seed: int = 7, spread: float = 2.0) -> np.ndarray:
     """float32 `(size, size, 4)` small waves going east in a tile of side 1: slope east, slope north, slope², height.
 
-    A directional spectrum by FFT. The slope's total variance is 1, so the shader scales it to any wind; averaged over
-    a mip level, slope² minus the square of the mean slope is the variance that level lost (LEAN mapping, Olano &
-    Baker 2010), which becomes roughness.
+    One state of an ocean's spectrum by FFT (H16). The slope's total variance is 1, so the shader scales it to any wind;
+    averaged over a mip level, slope² minus the square of the mean slope is the variance that level lost (LEAN mapping,
+    Olano & Baker 2010), which becomes roughness.
     """
     rng = np.random.default_rng(seed)
     spectrum = np.fft.fft2(rng.standard_normal((size, size)))
     ky, kx = np.meshgrid(*(np.fft.fftfreq(size, 1 / size),) * 2, indexing="ij")
-    k = np.maximum(np.hypot(kx, ky), 1e-9)
-    along = np.abs(kx) / k  # both ways: a real field has no direction, its scroll has
-    weight = np.exp(-((2.2 / k) ** 2) - (k / (size * 0.16)) ** 2) * k**-2.1 * (0.18 + along**spread)
-    spectrum = spectrum * np.where(k < 1, 0, weight)
+    spectrum = spectrum * ocean_amplitude(kx, ky, size, spread)
     height = np.fft.ifft2(spectrum).real
     east = np.fft.ifft2(2j * np.pi * kx * spectrum).real
     north = np.fft.ifft2(2j * np.pi * ky * spectrum).real

@@ -17,6 +17,8 @@ DISPLAYS = ("agx", "aces", "neutral", "raw")
 GRAVITY = 9.81
 FOAM_CYCLES = 100  # after so many the jumps of moving foam come again
 CAP_LIFE_S = 7.0
+LIGHT_MPS = 3.7  # up to this wind nothing on the open sea is white
+CALM_M, ROUGH_M = 0.1, 0.4  # waves from which on crests bear foam, and bear it whole
 STAR_LIGHT = 0.0015  # kcd/m² of the brightest stars, spread over 1.4 minutes of arc
 RIPPLE_SPREAD = np.array([0.7955, 0.2045])  # of the texture's slope variance: along its own way, across
 LEAST_SLOPE2 = 2e-4  # no sea is a mirror
@@ -112,12 +114,21 @@ def _foam(settings: Settings, time_s: float) -> dict:
     cycles = time_s / interval_s
     whole = math.floor(cycles)
     phase = (cycles - whole, whole % FOAM_CYCLES, interval_s if settings.flow.on else 0.0)
-    return {"u_foam_cycle": phase, "u_foam_tile_m": water.foam_tile_m, "u_foam_amount": water.foam}
+    # heights count against the largest possible: a calm's crests are as high in it as a storm's, and bear no foam
+    sea = settings.sea
+    rough = min(max((sea.swell_m + sea.chop_m - CALM_M) / (ROUGH_M - CALM_M), 0.0), 1.0) if sea.on else 0.0
+    rough *= min(max(sea.wind_mps - LIGHT_MPS, 0.0), 1.0)
+    return {
+        "u_foam_height": settings.foam.height * rough,
+        "u_foam_cycle": phase,
+        "u_foam_tile_m": water.foam_tile_m,
+        "u_foam_amount": water.foam,
+    }
 
 
 def whitecap_share(wind_mps: float) -> float:
     """Share of the open sea that is white: 3.84e-6 U^3.41 (Monahan & O'Muircheartaigh 1980), none in light wind."""
-    return min(3.84e-6 * wind_mps**3.41, 0.6) * min(max(wind_mps - 3.7, 0.0), 1.0)
+    return min(3.84e-6 * wind_mps**3.41, 0.6) * min(max(wind_mps - LIGHT_MPS, 0.0), 1.0)
 
 
 def _whitecaps(settings: Settings, time_s: float) -> dict:

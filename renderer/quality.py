@@ -29,6 +29,7 @@ class Tier:
     scatter_share: float  # of the grass that is drawn; a tier draws what the one below draws, and more
     scatter_reach: float  # of the distance up to which things are drawn
     scale: float
+    reflections: bool  # the sea mirrors the land that is seen, not one colour of land (H17)
     sea_exact: bool  # the drawn surface is found along each pixel's ray: the twin's within 3 cm, not the mesh's
     mips_blended: bool  # detail textures blend between two mip levels, which in software costs a second fetch
     ground_texels: int  # samples a side of the ground's textures; all have one pattern
@@ -55,6 +56,7 @@ _SEA = _columns(
     sea_cell_m=(1.25, 0.625, 0.3125),
     sea_reach=(5.6, 10.0, 18.0),
     sea_distance_m=(1500.0, 2500.0, 4000.0),
+    reflections=(False, True, True),
     sea_exact=(False, True, True),
 )
 _LIGHT = _columns(

@@ -32,6 +32,7 @@ SHOW_FLAGS: dict[str, Flag] = {
         Flag("procedural_foam", "Procedural foam", "Foam that the waves make.", "", "T11 D04"),
         Flag("painted_foam", "Painted foam", "Foam of the foam layer.", "", "T11"),
         Flag("refraction", "Refraction", "The bed bent by the waves above it.", "", "T11 D02"),
+        Flag("reflections", "Reflections", "The land that is seen, mirrored in the sea.", "", "T11 H17"),
         Flag("caustics", "Caustics", "Bright lines that waves draw on the bed.", "caustics.on", "T11 D08 H13"),
         Flag("flow", "Flow", "Foam moves with the current.", "flow.on", "T11 D05"),
         Flag("force", "Force", "Water pushed about by what moves in it.", "force.on", "T11 D18"),

@@ -49,6 +49,11 @@ class SkyLight:
     fog_share: float
     even: bool = False
 
+    def on_level(self, sine: float) -> np.ndarray:
+        """Irradiance on a level plane under a sun whose elevation has this sine, `(3,)` klx times `unit`."""
+        c = self.harmonics
+        return c[0] * 0.282095 + c[2] * 0.488603 + c[6] * 0.630784 + self.sun * sine
+
 
 def sky_light(settings: Settings) -> SkyLight:
     """The light of a level; kept for the settings it was last asked for."""

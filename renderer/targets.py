@@ -10,7 +10,8 @@
 | `g_before` | RG32F | world xy before deformation (H30); on land the world xy itself |
 
 Position isn't stored: it is the pixel's ray times eye depth, camera-relative. `under_*` are copies of the land's part
-taken before the water is drawn (D02); `u_plates` is the lit land twice at half size, side by side (H12).
+taken before the water is drawn (D02); `u_plates` is the lit land twice at half size, side by side (H12); `u_mirrored`
+and `u_mirrored_way` are what the still sea mirrors of it, at half size (H17).
 `hdr` is linear radiance in kcd/m², RGBA16F; `picture` the same with
 haze, or a view's numbers, RGBA32F; `total` sums jittered frames; `shown`, `smoothed` (only where the picture is drawn
 smaller than it is shown) and `display` are display colours, RGBA8. All but `display` have the size that is drawn.
@@ -51,6 +52,10 @@ class Targets:
         for name, sides in (("u_plates", 2), ("u_plate_half", 1)):
             self.textures[name] = self._texture((sides * self.plate_size[0], self.plate_size[1]), 4, "f2")
             self.textures[name].filter = ctx.LINEAR, ctx.LINEAR
+        for name, components in (("u_mirrored", 4), ("u_mirrored_way", 2)):
+            self.textures[name] = self._texture(self.plate_size, components, "f2")
+        self.textures["u_mirrored"].filter = ctx.LINEAR_MIPMAP_LINEAR, ctx.LINEAR
+        self.textures["u_mirrored_way"].filter = ctx.LINEAR, ctx.LINEAR
         self._add("picture", 4, "f4")
         self._add("total", 4, "f4")
         self._add("shown", 4, "f1")
@@ -66,6 +71,7 @@ class Targets:
         self.hdr = self._framebuffer("hdr")
         self.plates = self._framebuffer("u_plates")
         self.plate_half = self._framebuffer("u_plate_half")
+        self.mirrored = self._framebuffer("u_mirrored", "u_mirrored_way")
         self.picture = self._framebuffer("picture")
         self.total = self._framebuffer("total")
         self.shown = self._framebuffer("shown")
@@ -97,6 +103,7 @@ class Targets:
             self.hdr,
             self.plates,
             self.plate_half,
+            self.mirrored,
             self.picture,
             self.total,
             self.shown,

@@ -12,6 +12,7 @@ import numpy as np
 
 from ..level import Level, Settings
 from ..level.params import describe, get
+from ..level.rings import MOST, rings
 from ..level.shore_field import shore_field
 from ..level.water_table import table_in_use
 from ..level.waves import wave_uniforms
@@ -57,6 +58,7 @@ def frame_uniforms(frame) -> dict:
         "u_table_on": table_in_use(level) is not None,
         "u_wet_waves": WET_WAVES if frame.tier.sea_exact else 2,
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
+        **ring_uniforms(level, frame.time_s, matrices.position),
         **_sea_shape(level.settings),
     }
 
@@ -72,6 +74,19 @@ def _sea_shape(settings: Settings) -> dict:
         "u_swell_length_m": sea.swell_length_m,
         "u_chop_length_m": sea.chop_length_m,
         "u_wave_slope": (swell, chop),
+    }
+
+
+def ring_uniforms(level: Level, time_s: float, position) -> dict:
+    """The rings nearest to the camera, for lib/rings.glsl (H19)."""
+    rows = rings(level, time_s, (float(position[0]), float(position[1])))
+    table = np.zeros((2, MOST, 4), np.float32)
+    table[0, : len(rows)], table[1, : len(rows)] = rows[:, :4], rows[:, 4:]
+    return {
+        "u_ring_hits": int((rows[:, 2] >= 0).sum()),
+        "u_ring_count": len(rows),
+        "u_ring_place": table[0],
+        "u_ring_wave": table[1],
     }
 
 

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from coasts import make_beach
 from scenes import camera
+from shorewright.level import Rect
 from shorewright.level.flow import current
 from shorewright.level.objects import FlowPoint
 from shorewright.renderer.offscreen import render
@@ -130,6 +131,20 @@ def test_constant_foam_follows_the_shore_and_height_foam_the_crests(renderer):
 
 
 @pytest.mark.gl
+def test_the_highest_crests_bear_some_foam_out_of_the_box(renderer):
+    """H18: with nothing set, on some per cent of the open sea; none on a calm, none in a light wind."""
+    level = beach()
+    level.write("height", level.grid.rect, -30.0)
+    look = camera(x=80.0, y=100.0, z=60.0, yaw=0.0, pitch=-60.0)
+    share = np.mean([foam(level, renderer, t, None, "foam_height", look) > 0.1 for t in (0.0, 5.0, 11.0)])
+    assert 0.003 < share < 0.12
+    for name, value in (("sea.wind_mps", 3.0), ("sea.swell_m", 0.0)):
+        level = beach(**{name: value})
+        level.write("height", level.grid.rect, -30.0)
+        assert foam(level, renderer, 5.0, None, "foam_height", look).max() == 0
+
+
+@pytest.mark.gl
 def test_foam_shades_the_bed_towards_the_sun(renderer):
     """D21: nothing without foam; black and white mask under it; less where the strength is less."""
     bare = foam(still_beach(), renderer, 1.0, None, "foam_shadow")
@@ -140,6 +155,26 @@ def test_foam_shades_the_bed_towards_the_sun(renderer):
     assert shade[wet].min() < 0.7
     level.set("foam.shadow", 0.0)
     assert foam(level, renderer, 1.0, None, "foam_shadow")[wet].min() == 1.0
+
+
+@pytest.mark.gl
+def test_the_shade_lies_beside_its_foam(renderer):
+    """D21: with the sun in the west the shade of a patch lies east of it, by the foam there, not the foam above."""
+    level = still_beach()
+    for name, value in {"light.sun_azimuth_deg": 270.0, "light.sun_elevation_deg": 20.0, "foam.shadow": 1.0,
+                        "foam.shadow_limit_m": 4.0}.items():  # fmt: skip
+        level.set(name, value)
+    level.write("height", level.grid.rect, -8.0)
+    level.write("foam", Rect(40, 60, 70, 90), np.array([0.0, 1.0], np.float32))
+    look = camera(x=75.0, y=55.0, z=40.0, yaw=0.0, pitch=-90.0)
+    shade = foam(level, renderer, 1.0, None, "foam_shadow", look)
+    before = render(level, look, shade.shape[::-1], 1.0, "before", linear=True, renderer=renderer)
+    dark = shade < 0.9
+    shift = 4.0 * np.cos(np.radians(20.0))
+    assert dark.sum() > 50
+    assert before[dark][:, 0].min() > 60 + shift - 1.5
+    assert before[dark][:, 0].max() > 90 + 0.5 * shift
+    assert before[dark][:, 0].max() < 90 + shift + 1.5
 
 
 @pytest.mark.gl

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from coasts import make_beach
 from scenes import camera
+from shorewright.level import Rect
 from shorewright.level.force import MEMORY, SIDE, STEP_S, ForceField, force_field
 from shorewright.level.objects import Disturbance, Mover
 from shorewright.level.waves import sea_at
@@ -70,6 +71,27 @@ def test_strength_and_switch(renderer):
     assert np.abs(force_field(level, 4.0, CENTRE).packed()[..., 2]).max() < 0.5 * strong
     level.set("force.on", False)
     assert force_field(level, 4.0, CENTRE) is None
+
+
+def test_the_quiet_area_holds_it_down():
+    """D39: push, lift and foam by the painted strength, in one array for twin and shader; the state runs on."""
+    level = stirred()
+    free = force_field(level, 4.0, CENTRE).packed().copy()
+    state = force_field(level, 4.0, CENTRE).state.copy()
+    level.write("quiet", Rect(0, 0, level.grid.rows, 80), 1.0)
+    level.set("quiet.force", 0.7)
+    field = force_field(level, 4.0, CENTRE)
+    held = field.packed()
+    x = np.arange(SIDE) * field.settings.cell_m + field.origin_m[0]
+    assert np.abs(free[:, x < 79]).max() > 0.1
+    assert np.allclose(held[:, x < 79], 0.3 * free[:, x < 79], atol=1e-6)
+    assert np.array_equal(held[:, x > 80], free[:, x > 80])
+    assert np.array_equal(field.state, state)
+    level.set("quiet.force", 0.0)
+    assert np.array_equal(force_field(level, 4.0, CENTRE).packed(), free)
+    level.set("quiet.force", 0.7)
+    moved = force_field(level, 4.0, (CENTRE[0] - 500.0, CENTRE[1]))  # beyond the level nothing is painted
+    assert np.isfinite(moved.packed()).all()
 
 
 @pytest.mark.gl

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from scenes import camera, coast
+from shorewright.level import Rect
 from shorewright.renderer.offscreen import render
 
 SIZE = (192, 108)
@@ -67,3 +68,31 @@ def test_the_quiet_middle_holds_the_highlight_down(against_the_sun, renderer):
     after = glint(against_the_sun, renderer)
     assert middle(after) < 0.3 * middle(before)
     assert np.allclose(before[:8], after[:8])
+
+
+@pytest.mark.gl
+def test_the_painted_quiet_area_holds_the_highlight_down(against_the_sun, renderer):
+    """D39: on the paint by its strength, beside it not at all; in the picture as in the view."""
+    level, seen = against_the_sun, camera(pitch=-50.0, yaw=10.0)
+    for name in ("foam.shore", "quiet.foam", "quiet.flow"):
+        level.set(name, 0.0)
+
+    def lit():
+        return render(level, seen, SIZE, 3.0, "hdr", linear=True, renderer=renderer).mean(axis=2)
+
+    before, lit_before = glint(level, renderer), lit()
+    place = render(level, seen, SIZE, 3.0, "position", linear=True, renderer=renderer)
+    border_m = float(np.median(place[before > 0.3 * before.max()][:, 0]))
+    level.write("quiet", Rect(0, 0, level.grid.rows, round(border_m)), 1.0)
+    level.set("quiet.highlight", 0.75)
+    after = glint(level, renderer)
+    painted, free = place[..., 0] < border_m - 2, place[..., 0] > border_m + 2
+    shining = before > 0.05 * before.max()
+    assert (shining & painted).sum() > 50
+    assert np.median(after[shining & painted] / before[shining & painted]) == pytest.approx(0.25, abs=0.02)
+    assert np.allclose(after[free], before[free])
+    lost = lit_before - lit()
+    assert lost[shining & painted].sum() == pytest.approx((before - after)[shining & painted].sum(), rel=0.1)
+    assert np.abs(lost[free]).max() < 1e-3 * lit_before.max()
+    level.set("quiet.highlight", 0.0)
+    assert np.array_equal(glint(level, renderer), before)

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from coasts import make_beach
 from scenes import camera
+from shorewright.level import Grid, Level
 from shorewright.level.objects import PointLight
 from shorewright.renderer.offscreen import render
 
@@ -61,3 +62,54 @@ def test_sixty_four_lamps_light_land_and_sea(renderer):
     assert all(np.isfinite(picture).all() for picture in pictures)
     sea = render(level, high, SIZE, 0.0, "sea_mask", linear=True, renderer=renderer)[..., 0] > 0.5
     assert pictures[0][sea].max() > 0
+
+
+NIGHT = {
+    "light.body": "moon", "sea.on": False, "shore.on": False, "foam.shore": 0.0, "water.foam": 0.0, "fog.on": False,
+    "caustics.on": False, "scatter.on": False, "water.blur": 0.0, "sea.wind_mps": 0.0, "water.bend": 0.0,
+    "water.reflections": 0.0,
+}  # fmt: skip
+
+
+def bay(depth_m, **lamp):
+    level = Level(Grid(129, 129), np.full((129, 129), -depth_m, np.float32))
+    for name, value in NIGHT.items():
+        level.set(name, value)
+    light = {"x": 64, "y": 64, "z": 4.0, "power_kcd": 5.0, "radius_m": 60.0, "red": 1, "green": 1, "blue": 1}
+    level.put_object("lamp", PointLight(id="lamp", **{**light, **lamp}))
+    return level
+
+
+@pytest.mark.gl
+def test_lamps_light_the_bed_through_the_water(renderer):
+    """D01, H12: a lamp over clear water shows the bed as bright as a dry one but for the water's way there and back."""
+    level, look = bay(2.0), camera(x=64.0, y=64.0, z=12.0, yaw=0.0, pitch=-90.0)
+    shoot = {"size": SIZE, "time_s": 0.0, "linear": True, "renderer": renderer, "quality": "medium"}
+    wet = render(level, look, view="emissive", **shoot).astype(float)
+    level.set("water.on", False)
+    dry = render(level, look, view="hdr", **shoot).astype(float)
+    level.set("water.on", True)
+    level.put_object("lamp", None)
+    dark = render(level, look, view="emissive", **shoot).astype(float)
+    seen = (wet - dark)[20:-20, 30:-30] / dry[20:-20, 30:-30]
+    from shorewright.level.water_optics import absorption, backscatter
+
+    water = level.settings.water
+    through = np.exp(-(absorption(water) + backscatter(water)) * 2 * 2.0)
+    # straight down and up; the surface takes some per cent each way and gives back what the bed throws up again
+    assert np.median(seen, axis=(0, 1)) == pytest.approx(through, rel=0.2)
+    assert wet.max() > 50 * dark.max()
+
+
+@pytest.mark.gl
+def test_a_long_way_through_water_dims_a_lamp(renderer):
+    """D01, H12: the same lamp over deeper water shines less, red the most."""
+    look = camera(x=64.0, y=64.0, z=12.0, yaw=0.0, pitch=-90.0)
+    shoot = {"size": SIZE, "time_s": 0.0, "linear": True, "renderer": renderer, "quality": "medium"}
+    shallow, deep = (
+        render(bay(depth, z=6.0 - depth), look, view="emissive", **shoot).astype(float).max(axis=(0, 1))
+        for depth in (1.0, 5.0)
+    )
+    assert deep[0] / shallow[0] < 0.5 * deep[2] / shallow[2]
+    assert (deep < shallow).all()
+    assert np.isfinite(deep).all()

@@ -7,6 +7,7 @@ from shorewright.level.textures import (
     equalise,
     foam_texture,
     noise_texture,
+    ocean_amplitude,
     ripple_texture,
     spectral_noise,
     worley,
@@ -67,6 +68,39 @@ def test_ripples_carry_their_variance_through_mip_levels():
     assert kept + lost == pytest.approx(1, rel=1e-3)
     assert lost > 0.2
     assert np.abs(ripple[..., :2].mean((0, 1))).max() < 1e-3
+
+
+def test_ripples_go_on_over_the_border_as_they_do_inside():
+    """H16: an ocean's spectrum by FFT: height steps are the slopes' integral across the border too."""
+    ripple = ripple_texture().astype(np.float64)
+    slope, height, size = ripple[..., 0], ripple[..., 3], ripple.shape[0]
+    for axis, slope in ((1, ripple[..., 0]), (0, ripple[..., 1])):
+        # five-point integral of a band-limited field over one texel
+        near = [np.roll(slope, n, axis) for n in (-2, -1, 0, 1)]
+        step = (-near[0] + 13 * near[1] + 13 * near[2] - near[3]) / 24 / size
+        wrong = np.abs(np.roll(height, -1, axis) - height - step)
+        seam = wrong.take([-2, -1, 0], axis)
+        assert seam.max() <= 1.2 * wrong.max()
+        assert wrong.max() < 0.02 * np.abs(step).max()
+
+
+def test_ripples_have_the_ocean_spectrum():
+    """H16: the height's power falls as Phillips' spectrum, none at the ends of what the tile holds."""
+    height = ripple_texture()[..., 3].astype(np.float64)
+    size = height.shape[0]
+    power = np.abs(np.fft.fft2(height)) ** 2
+    ky, kx = np.meshgrid(*(np.fft.fftfreq(size, 1 / size),) * 2, indexing="ij")
+    k = np.hypot(kx, ky)
+    amplitude = ocean_amplitude(kx, ky, size)
+    bands = [(k >= low) & (k < 1.5 * low) for low in (4.0, 6.0, 9.0, 13.5, 20.0)]
+    strength = np.array([power[band].sum() / (amplitude[band] ** 2).sum() for band in bands])
+    assert strength / strength.mean() == pytest.approx(np.ones(5), abs=0.4)  # few waves are long, each is drawn by lot
+    falls = ocean_amplitude(np.array([20.0]), np.zeros(1), 4096) / ocean_amplitude(np.array([10.0]), np.zeros(1), 4096)
+    assert np.log2(falls) == pytest.approx([-2.0], abs=0.1)
+    assert power[k > 0.45 * size].max() < 1e-6 * power.max()
+    along = power[(np.abs(kx) > 3 * np.abs(ky)) & (k > 4) & (k < 30)].mean()
+    across = power[(np.abs(ky) > 3 * np.abs(kx)) & (k > 4) & (k < 30)].mean()
+    assert along > 4 * across
 
 
 def test_slopes_belong_to_the_height():

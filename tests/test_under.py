@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 from shorewright.level import Grid, Level
+from shorewright.renderer import Show
 
 from .scenes import SIZE, camera, coast
 
@@ -71,3 +72,55 @@ def test_the_land_above_water_is_as_it_was(renderer):
     land = np.abs(picture(renderer, level, "material") - np.array([0.62, 0.5, 0.3])).max(axis=-1) < 0.01
     assert 0.1 < land.mean() < 0.9
     assert np.abs(first - once)[land].max() <= 1e-3 * once.max()
+
+
+def bent_and_not(renderer, level, look, **settings):
+    """What is seen through the water with the look bent, and straight."""
+    return (picture(renderer, level, "emissive", look, water__bend=bend, **settings) for bend in (1.0, 0.0))
+
+
+def stripes():
+    """Shallow clear water over a bed of steps, whose edges show where they are seen."""
+    y, x = np.mgrid[0:129, 0:129]
+    level = Level(Grid(129, 129), np.where((x // 4 + y // 4) % 2 == 0, -1.2, -2.4).astype(np.float32))
+    for name, value in {**STILL, "shore.on": False, "sea.wind_mps": 12.0, "foam.shore": 0.0}.items():
+        level.set(name, value)
+    return level
+
+
+def test_bend_moves_what_is_seen_and_nothing_else(renderer):
+    """H14: no bend shows the bed where it is; the bend shifts it by the waves' slope, the more the steeper they are."""
+    look = camera(64.0, 64.0, 5.0, pitch=-89.0)
+    level = stripes()
+    bent, straight = bent_and_not(renderer, level, look, water__dispersion=0.0)
+    hidden = Show.hide("refraction")
+    renderer.draw(level, look, SIZE, 14.0, "emissive", quality="medium", show=hidden)
+    assert np.array_equal(straight, renderer.read(linear=True))
+    ripples = np.abs(bent - straight).mean()
+    assert ripples > 0.01 * straight.mean()
+    # a steeper surface bends further
+    twice = picture(renderer, level, "emissive", look, water__bend=2.0)
+    assert np.abs(twice - straight).mean() > 1.2 * ripples
+
+
+def test_a_level_mirror_bends_nothing(renderer, monkeypatch):
+    """H14: straight down through water without a wave on it the bent picture is the straight one."""
+    from shorewright.renderer import look as look_uniforms
+
+    monkeypatch.setattr(look_uniforms, "ripple_slopes", lambda sea, seed: np.full(2, 1e-12))
+    level = stripes()
+    level.set("sea.on", False)
+    bent, straight = bent_and_not(renderer, level, camera(64.0, 64.0, 10.0, pitch=-90.0, yaw=0.0))
+    assert np.abs(bent - straight).max() < 2e-3 * straight.max()
+
+
+def test_dispersion_parts_red_from_blue(renderer):
+    """H12: red is bent less than green and blue more: the share of the way that gives each channel back."""
+    look = camera(64.0, 64.0, 5.0, pitch=-89.0)
+    level = stripes()
+    whole = {bend: picture(renderer, level, "emissive", look, water__bend=bend, water__dispersion=0.0)
+             for bend in (0.75, 1.0, 1.25)}  # fmt: skip
+    parted = picture(renderer, level, "emissive", look, water__bend=1.0, water__dispersion=0.5)
+    for channel, bend in ((0, 0.75), (1, 1.0), (2, 1.25)):
+        wrong = {b: np.abs(parted[..., channel] - seen[..., channel]).mean() for b, seen in whole.items()}
+        assert min(wrong, key=wrong.get) == bend, (channel, wrong)

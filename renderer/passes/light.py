@@ -2,14 +2,30 @@
 
 from __future__ import annotations
 
+from ..below import lowest_rows, water_rows
 from ..frame import Frame
-from .plate import in_use
+from . import reflections
+from .plate import land_first
+from .sea import bind_water, water_shown
+
+
+def quiet_defines(frame: Frame) -> dict[str, str]:
+    """Reads the painted quiet area where it holds down the water's highlight (D39)."""
+    level = frame.level
+    painted = level.settings.quiet.highlight > 0 and not level.layers["quiet"].neutral
+    if not (painted and water_shown(frame)):
+        return {}
+    bind_water(frame)
+    return {"QUIET": ""}
 
 
 def draw(frame: Frame) -> None:
     frame.targets.hdr.use()
-    if in_use(frame):  # the land is lit already (H12)
-        frame.shader("light.glsl", SEA_ALONE="").fullscreen()
+    quiet = quiet_defines(frame)
+    if land_first(frame):  # it is lit already (H12)
+        with lowest_rows(frame.targets.hdr, water_rows(frame, frame.size[1])):
+            frame.shader("light.glsl", SEA_ALONE="", **reflections.defines(frame), **quiet).fullscreen()
         return
     frame.targets.hdr.clear()
-    frame.shader("light.glsl", **({"WHITE": ""} if frame.view.scene == "white" else {})).fullscreen()
+    white = {"WHITE": ""} if frame.view.scene == "white" else {}
+    frame.shader("light.glsl", **white, **quiet).fullscreen()

@@ -45,8 +45,7 @@ def draw(frame: Frame) -> None:
 
 def _make(frame: Frame, lobes: Lobes, shader, cirrus: float) -> None:
     light, direction = frame.renderer.sky.light, frame.uniforms["u_sun_direction"]
-    c = light.harmonics
-    down = c[0] * 0.282095 + c[2] * 0.488603 + c[6] * 0.630784 + light.sun * max(float(direction[2]), 0.0)
+    down = light.on_level(max(float(direction[2]), 0.0))
     ground = np.ones(3) if light.even else down * GROUND_ALBEDO / np.pi
     shader.program["u_ground_radiance"].value = tuple(float(v) for v in ground)
     set_uniforms(shader.program, {"u_cirrus": cirrus})

@@ -14,19 +14,23 @@ uniform sampler2D hdr;
 const float OUT_OF_WATER = 0.002;  // weight of what stands higher than waves reach, so that no weight is nothing
 
 void main() {
+    float pixel_m = 1e6;
     ivec2 corner = 2 * ivec2(gl_FragCoord.xy), last = ivec2(u_size) - 1;
-    vec4 sum = vec4(0.0);
+    vec4 sum = vec4(0.0), bed = vec4(0.0);  // bed: what of it lies under water, its place and depth times how much
     for (int i = 0; i < 4; ++i) {
         ivec2 pixel = min(corner + ivec2(i & 1, i >> 1), last);
         float eye_depth = texelFetch(under_eye_depth, pixel, 0).r;
         vec2 clip = (vec2(pixel) + 0.5) / u_size * 2.0 - 1.0;
         vec3 position = u_camera + (u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y) * eye_depth;
+        if (eye_depth > 0.0) pixel_m = min(pixel_m, eye_depth * u_pixel_angle);
         float depth = u_level_sea_level_m - position.z;
         float weight = eye_depth > 0.0 ? mix(OUT_OF_WATER, 1.0, smoothstep(-1.5, -0.5, depth)) : OUT_OF_WATER;
         vec3 light = texelFetch(hdr, pixel, 0).rgb;
-        if (depth > 0.0 && eye_depth > 0.0) light *= caustics(position.xy, depth, eye_depth * u_pixel_angle);
+        if (depth > 0.0 && eye_depth > 0.0) bed += vec4(position.xy, depth, 1.0);
         sum += vec4(min(light, 15000.0) * weight, weight);
     }
+    // one look for the four pixels: they are one texel
+    if (bed.w > 0.0) sum.rgb *= caustics(bed.xy / bed.w, bed.z / bed.w, pixel_m);
     out_plate = 0.25 * sum;
 }
 #else

@@ -16,6 +16,7 @@
 #include "lib/sea_find.glsl"
 #include "lib/sea_below.glsl"
 #include "lib/sheet.glsl"
+#include "lib/rings.glsl"
 uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
 uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it sinks
@@ -45,6 +46,8 @@ void fade_surf(inout Sea sea) {
     sea.deep = max(sea.deep, open_sea);
     sea.bed.depth.x = max(sea.bed.depth.x, u_apron.y * open_sea * open_sea);
 }
+
+vec2 painted_foam(vec2 xy) { return u_show_painted_foam ? layer_at(u_layer_foam, xy, u_cell_m).rg : vec2(0.0); }
 
 void main() {
 #ifdef HORIZON
@@ -86,14 +89,16 @@ void main() {
     // a shore wave is lit as the steep wave it stands for: cells of half a metre carry a gentler one
     vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (1.0 + 0.9 * body * breadth);
     slope = sharp.x * (slope - 0.9 * (1.0 - breadth) * sea.shore.lift.yz) + rippled * ripple.xy;
+    vec3 rings = ring_slope(sea.position.xy, long_m) * smoothstep(0.0, 0.15, column);
+    slope += rings.xy;
     // slopes that neither the waves here nor the ripples show: together always what the wind makes (Cox & Munk 1954)
     vec2 shown = sea.deep * sharp.x * vec2(1.0, sharp.y);
-    float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled;
+    float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled + rings.z;
     vec3 normal = normalize(vec3(-slope, 1.0));
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
-    vec2 painted = u_show_painted_foam ? layer_at(u_layer_foam, before, u_cell_m).rg : vec2(0.0);
+    vec2 painted = painted_foam(before);
     vec4 current = current_at(before), force = force_at(sea.position.xy);
     current.rg += force.xy;
     stirred = force.w;
@@ -115,7 +120,8 @@ void main() {
     float face = wave_face(sea, normal, body);
     depth += 1.3 * face;
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
-    from_below *= wave_shade(normal, body) * foam_shade(before, sea.bed.depth.x, painted, current, pixel_m);
+    vec2 shade_at = foam_shade_place(before, sea.bed.depth.x);
+    from_below *= wave_shade(normal, body) * foam_shade(shade_at, painted_foam(shade_at), current_at(shade_at), pixel_m);
     from_below = bubbles(from_below, foam, sun, sky);
     // foam lets some of what comes through the crest on
     vec3 crest = water_crest_light(max(sea.height01 * sharp.x, body), normal, to_eye, u_sun_direction) * sun;

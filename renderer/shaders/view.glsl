@@ -16,6 +16,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/layer.glsl"
 #include "lib/sea_below.glsl"
 #include "lib/plate.glsl"
+#include "lib/reflections.glsl"
 uniform sampler2D u_layer_foam;
 uniform sampler2D hdr;
 #ifdef LAYER
@@ -48,7 +49,8 @@ vec3 triangle_colour(float area) {
 // The sun's mirror light as light.glsl adds it.
 vec3 sun_glint(Surface s, vec3 relative) {
     vec3 sun = sun_radiance() * sun_visibility(u_camera + relative);
-    return sun_highlight(s.normal, -normalize(relative), u_sun_direction, s.roughness, vec3(s.specular)) * sun;
+    return sun_highlight(s.normal, -normalize(relative), u_sun_direction, s.roughness, vec3(s.specular),
+                         current_at(s.before).b) * sun;
 }
 
 vec3 crest_light(Sea sea, Surface s, vec3 relative) {
@@ -68,6 +70,24 @@ Foam view_foam(Sea sea, vec2 before, vec3 position, float pixel_m) {
 vec4 foam_density(vec2 before, float pixel_m) {
     float lee, lod = max(log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4)), 0.0);
     return foam_fields(before, current_at(before).rg, u_sun_direction.xy, lod, lee);
+}
+
+float shade_of_foam(Sea sea, Surface s) {
+    vec2 at = foam_shade_place(s.before, sea.bed.depth.x);
+    return foam_shade(at, layer_at(u_layer_foam, at, u_cell_m).rg, current_at(at), s.eye_depth * u_pixel_angle);
+}
+
+vec3 mirrored_land(Surface s, vec3 relative) {
+    float known;
+    return land_mirrored(relative, water_mirror(s.normal, -normalize(relative), s.roughness), s.roughness, known).rgb;
+}
+
+// What water_ripples adds to the normal, gusts left out; flat on land.
+vec3 ripple_normal(Surface s, vec3 relative) {
+    if (s.material != SEA) return vec3(0.0, 0.0, 1.0);
+    float pixel_m = pixel_metres(relative, vec3(0.0, 0.0, 1.0));
+    float long_m = min(length(relative) * u_pixel_angle / max(abs(normalize(relative).z), 0.02), 3.0 * pixel_m);
+    return normalize(vec3(-water_ripples(s.before, long_m).xy, 1.0));
 }
 
 void main() {

@@ -125,7 +125,7 @@ def passes(renderer) -> list[dict]:
 def sea(renderer) -> list[dict]:
     """What the sea adds to a picture at the beach, every row on; and what 64 lamps add with it and without it."""
     from shorewright.io import read_level
-    from shorewright.level.objects import Disturbance, Mover, PointLight
+    from shorewright.level.objects import Disturbance, Hit, Mover, PointLight
     from shorewright.renderer.show import Show
 
     level, dry = read_level(COVE), Show.hide("water")
@@ -133,6 +133,8 @@ def sea(renderer) -> list[dict]:
     x, y = camera.x, camera.y
     level.put_object("mover", Mover(id="mover", x=x + 12, y=y - 12))
     level.put_object("burst", Disturbance(id="burst", x=x + 20, y=y - 15, time_s=11.0))
+    for n in range(4):
+        level.put_object(f"hit-{n}", Hit(id=f"hit-{n}", x=x + 8 + 3 * n, y=y - 10, time_s=8.0 + n))
     yardstick, rows = Yardstick(renderer.ctx, SIZE), []
     unit = min(yardstick.seconds() for _ in range(3))
 

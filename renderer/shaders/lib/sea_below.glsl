@@ -2,12 +2,14 @@
 // does to its light.
 #include "lib/water.glsl"
 #include "lib/foam.glsl"
+#include "lib/rings.glsl"
 
 uniform sampler2D under_albedo, under_eye_depth;
 uniform bool u_show_refraction;
 uniform float u_water_bend;
 #ifdef PLATE
 #include "lib/plate.glsl"
+uniform float u_bed_most;  // brightest bed, as an albedo under sun and sky
 uniform float u_water_blur_distance_m, u_water_dispersion;
 
 // Radiance of what lies `thickness` metres of water behind the surface, blurred with the way (H12); red is bent less
@@ -27,23 +29,23 @@ vec3 through_plates(vec2 here, vec2 bent, float thickness) {
 // Colour and thickness of the land below, looked up where the wave bends the view; never from before the water.
 vec4 below(vec3 normal, float eye_depth, float away) {
     ivec2 size = textureSize(under_eye_depth, 0), here = ivec2(gl_FragCoord.xy);
-    ivec2 bent = here;
+    vec2 bent = vec2(here) + 0.5;
     if (u_show_refraction) {
         float depth = texelFetch(under_eye_depth, here, 0).r - eye_depth;
         vec2 shift = vec2(dot(normal.xy, normalize(u_ray_x.xy + 1e-6)), dot(normal.xy, normalize(u_ray_y.xy + 1e-6)));
         shift *= 0.25 * u_water_bend * clamp(depth, 0.0, 3.0) / (eye_depth * u_pixel_angle);
-        bent = clamp(here + ivec2(clamp(shift, -60.0, 60.0)), ivec2(0), size - 1);
+        bent = clamp(bent + clamp(shift, -60.0, 60.0), vec2(0.5), vec2(size) - 0.5);
     }
-    float depth = texelFetch(under_eye_depth, bent, 0).r;
+    float depth = texelFetch(under_eye_depth, ivec2(bent), 0).r;
     if (depth <= eye_depth) {
-        bent = here;
+        bent = vec2(here) + 0.5;
         depth = texelFetch(under_eye_depth, here, 0).r;
     }
     float thickness = depth > eye_depth ? (depth - eye_depth) * away / eye_depth : (depth > 0.0 ? 0.0 : 1e4);
 #ifdef PLATE
-    return vec4(through_plates(vec2(here) + 0.5, vec2(bent) + 0.5, thickness), thickness);
+    return vec4(through_plates(vec2(here) + 0.5, bent, thickness), thickness);
 #else
-    vec3 albedo = texelFetch(under_albedo, bent, 0).rgb;
+    vec3 albedo = texelFetch(under_albedo, ivec2(bent), 0).rgb;
     return vec4(albedo * albedo, thickness);
 #endif
 }
@@ -52,6 +54,8 @@ uniform sampler2D u_caustics;
 uniform bool u_caustics_on;
 uniform float u_caustics_strength, u_caustics_tile_m, u_caustics_bend, u_caustics_depth_m;
 const float CAUSTICS_TEXELS = 512.0, CAUSTICS_MEAN = 48.0 / 255.0;
+
+const float RING_LENS_M = 0.75;  // how far a metre of water throws light aside where a ring is steep (H19): three times Snell
 
 // Bright lines that waves draw on the bed: one still image, bent by a broad panning normal map (D08, H13). Mean 1. Deeper
 // down they blur, and light has come from everywhere.
@@ -64,6 +68,7 @@ float caustics(vec2 xy, float depth, float pixel_m) {
     vec2 one = textureLod(u_ripple, 0.31 * at + u_ripple_way[1].zz * vec2(0.6, 1.0), 2.0).xy;
     vec2 two = textureLod(u_ripple, 0.23 * at.yx - u_ripple_way[2].zz * vec2(1.0, -0.5) + 0.37, 2.0).yx;
     at += 0.055 * u_caustics_bend * (one - two);
+    if (u_ring_count > 0) at += u_caustics_bend * RING_LENS_M * clamp(depth, 0.2, 2.0) * ring_slope(xy, pixel_m).xy / u_caustics_tile_m;
     float light = textureLod(u_caustics, at, max(lod, 0.0) + 0.7 * depth).r / CAUSTICS_MEAN;
     return max(1.0 + strength * (light - 1.0), 0.0);
 }
@@ -76,7 +81,7 @@ vec3 light_from_below(
     float sun_up = max(u_sun_direction.z, 0.0);
 #ifdef PLATE
     // a plate holds the bed's radiance in air, caustics in it: what albedo that is under this light
-    vec3 bed = clamp(3.14159265 * bed_albedo / max(sun * sun_up + sky, vec3(1e-6)), 0.0, 3.0);
+    vec3 bed = clamp(3.14159265 * bed_albedo / max(sun * sun_up + sky, vec3(1e-6)), 0.0, u_bed_most);
 #else
     vec3 bed = bed_albedo * caustics(bed_xy, depth, pixel_m);
 #endif

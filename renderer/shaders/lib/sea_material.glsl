@@ -125,12 +125,18 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     return foam;
 }
 
-// Shade that the constant foam throws on what lies below (D21): its texture at mip 2, moved with the same two phases, read
-// towards the sun by the depth up to a limit, so that no shade reaches past the level's border. 1 where the sun comes through.
-float foam_shade(vec2 before, float depth, vec2 painted, vec4 current, float pixel_m) {
+// Where the foam lies that shades what is below a place: towards the sun by the depth up to a limit, so that no shade
+// reaches past the level's border.
+vec2 foam_shade_place(vec2 before, float depth) {
+    return before + u_sun_direction.xy * min(max(depth, 0.0), u_foam_shadow_limit_m);
+}
+
+// Shade that the constant foam at a place throws (D21): its texture at mip 2, moved with the same two phases; `painted`
+// and `current` are those of the place itself. 1 where the sun comes through.
+float foam_shade(vec2 at, vec2 painted, vec4 current, float pixel_m) {
     float amount = max(painted.y * u_foam_constant, foam_of_shore(current.a, 0.5)) * (1.0 - u_quiet_foam * current.b);
     if (u_foam_shadow * amount < 0.01) return 1.0;
-    vec2 at = before + u_sun_direction.xy * min(max(depth, 0.0), u_foam_shadow_limit_m), first, second;
+    vec2 first, second;
     float weight, lod = max(log2(max(pixel_m * FOAM_TEXELS / u_foam_tile_m, 1e-4)), 2.0);
     foam_places(at, current.rg, first, second, weight);
     vec4 fields = textureLod(u_foam, first, lod);
