@@ -13,6 +13,8 @@ import math
 
 import numpy as np
 
+from .buoyancy import draft_of
+from .drift import drifted
 from .level import Level
 from .objects import Hit, Prop
 
@@ -44,7 +46,7 @@ def rings(level: Level, t: float, centre: tuple[float, float]) -> np.ndarray:
         if isinstance(thing, Hit) and 0 < t - thing.time_s < SPENT * knobs.ring_s:
             rows.append(_hit(thing, t - thing.time_s, knobs))
         elif isinstance(thing, Prop) and thing.floats and thing.ripples and knobs.on:
-            rows.append(_float(thing, t, knobs))
+            rows.append(_float(level, thing, t, knobs))
     rows.sort(key=lambda row: math.hypot(row[0] - centre[0], row[1] - centre[1]))
     rows = sorted(rows[:MOST], key=lambda row: row[2] < 0)
     return np.array(rows, np.float32).reshape(-1, 8)
@@ -59,9 +61,10 @@ def _hit(hit: Hit, age_s: float, knobs) -> tuple:
     return hit.x, hit.y, radius_m, 2.3 * radius_m, k, slope, 0.8 * math.sqrt(hit.size), 0.0
 
 
-def _float(prop: Prop, t: float, knobs) -> tuple:
+def _float(level: Level, prop: Prop, t: float, knobs) -> tuple:
+    x, y = drifted(level, prop, t, draft_of(level, prop)) if prop.drifts else (prop.x, prop.y)
     k = wave_number(FLOAT_LENGTH_M, prop.scale)
     turns = math.sqrt(GRAVITY * k) / (2 * math.pi) * t
     fading_m = group_speed_mps(k) * knobs.ring_s
     slope = knobs.rings * FLOAT_SLOPE * min(math.sqrt(prop.scale), 2.0)
-    return prop.x, prop.y, -1.0, 3 * fading_m, k, slope, fading_m, 2 * math.pi * (turns - math.floor(turns))
+    return x, y, -1.0, 3 * fading_m, k, slope, fading_m, 2 * math.pi * (turns - math.floor(turns))
