@@ -23,6 +23,7 @@ VERBS: dict[str, str] = {
     "new": "levels:new",
     "resize": "levels:resize",
     "crop": "levels:crop",
+    "place": "props:place",
     "info": "levels:info",
     "render": "pictures:render",
     "sheet": "sheets:sheet",

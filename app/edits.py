@@ -14,11 +14,11 @@ from ..level.params import get, replace, sentence
 from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
 from . import recovery_record
 from . import script as words
-from .hand import Hand
 from .imported import imported_height
+from .prop_edits import Props
 
 
-class Edits(Hand):
+class Edits(Props):
     """Everything but strokes that changes a level, each an undoable step."""
 
     clock: Clock
@@ -236,6 +236,8 @@ class Edits(Hand):
                 self.crop(action.west_m, action.south_m, action.east_m, action.north_m)
             case words.Import():
                 self.import_height(action.path, **action.flags)
+            case words.Mesh():
+                self.import_mesh(action.path, action.up, action.scale)
             case words.Plain():
                 PLAIN[action.do](self)
 

@@ -15,11 +15,13 @@ from typing import BinaryIO
 
 import numpy as np
 
+from ..io.mesh_files import packed, unpacked
 from ..level import Grid, Journal, Level, Settings
 from ..level.atoms import Thing, Value, Whole, whole_state
 from ..level.grid import NOWHERE
 from ..level.journal import Step
-from ..level.objects import OBJECT
+from ..level.meshes import Mesh, names_in_use
+from ..level.objects import OBJECT, Prop
 from ..level.tiles import Tiles, pack, unpack
 
 MAGIC = b"SWR1"
@@ -45,6 +47,7 @@ class Change:
     settings: Settings | None = None
     objects: dict[str, object | None] = field(default_factory=dict)
     ground: Ground | None = None
+    meshes: dict[str, Mesh] = field(default_factory=dict)  # that its props show, where the log hasn't got them yet
     labels: list[str] = field(default_factory=list)  # of the steps that were folded into this one
 
     @property
@@ -52,8 +55,8 @@ class Change:
         return not (self.tiles or self.objects or self.ground)
 
 
-def change_of(level: Level, step: Step) -> Change:
-    """The after-state of what a step swapped, copied so that a worker may pack it."""
+def change_of(level: Level, step: Step, known: Iterable[str] = ()) -> Change:
+    """The after-state of what a step swapped, copied so that a worker may pack it; `known` meshes are left out."""
     change = Change(step.label)
     for atom in step.atoms:
         if isinstance(atom, Tiles):
@@ -66,13 +69,16 @@ def change_of(level: Level, step: Step) -> Change:
         elif isinstance(atom, Whole):
             change.ground = Ground(level.grid, level.layers["height"].base, dict(level.georeference))
             change.tiles = all_tiles(level)
+    shown = {thing.mesh for thing in change.objects.values() if isinstance(thing, Prop)} - set(known)
+    change.meshes = {name: level.meshes[name] for name in shown & level.meshes.keys()}
     return change
 
 
 def everything(level: Level, label: str) -> Change:
     """A whole level, for one that no folder holds yet."""
     ground = Ground(level.grid, level.layers["height"].base, dict(level.georeference))
-    return Change(label, all_tiles(level), level.settings, dict(level.objects), ground)
+    meshes = {name: level.meshes[name] for name in names_in_use(level) & level.meshes.keys()}
+    return Change(label, all_tiles(level), level.settings, dict(level.objects), ground, meshes)
 
 
 def all_tiles(level: Level) -> dict[str, dict[Tile, np.ndarray | None]]:
@@ -94,6 +100,7 @@ def fold(changes: Iterable[Change]) -> Change:
             whole.tiles.setdefault(layer, {}).update(tiles)
         whole.settings = change.settings or whole.settings
         whole.objects.update(change.objects)
+        whole.meshes.update(change.meshes)
     count = len(whole.labels)
     whole.label = f"Recover {count} step{'s' if count != 1 else ''}"
     return whole
@@ -112,6 +119,8 @@ def apply(level: Level, journal: Journal, change: Change) -> None:
                 rect = rect.union(level.layers[layer].grid.tile_rect(tile))
             held = {tile: None if values is None else pack(values) for tile, values in tiles.items()}
             _swap(step, Tiles(layer, held, rect), level, keep=change.ground is None)
+        for name, mesh in change.meshes.items():
+            level.put_mesh(name, mesh)
         for name, thing in change.objects.items():
             _swap(step, Thing(name, thing), level)
         if change.settings:
@@ -156,7 +165,14 @@ def encode(change: Change) -> bytes:
     header["objects"] = {
         name: thing if thing is None else thing.model_dump(mode="json") for name, thing in change.objects.items()
     }
+    if change.meshes:
+        header["meshes"] = {name: _add(blobs, packed(mesh)) for name, mesh in change.meshes.items()}
     return framed(header, b"".join(blobs))
+
+
+def _add(blobs: list[bytes], data: bytes) -> int:
+    blobs.append(data)
+    return len(data)
 
 
 def framed(header: dict, payload: bytes = b"") -> bytes:
@@ -201,4 +217,7 @@ def decode(header: dict, payload: bytes) -> Change:
         change.settings = Settings.model_validate(header["settings"])
     for name, thing in header["objects"].items():
         change.objects[name] = None if thing is None else OBJECT.validate_python(thing)
+    for name, size in header.get("meshes", {}).items():
+        change.meshes[name] = unpacked(payload[at : at + size])
+        at += size
     return change

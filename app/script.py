@@ -103,8 +103,18 @@ class Import(Do):
     flags: dict[str, Any] = {}
 
 
+class Mesh(Do):
+    """A mesh from a file, for props to name; its name follows from what is in it."""
+
+    do: Literal["mesh"] = "mesh"
+    path: str
+    up: Literal["y", "z"] | None = None
+    scale: float = Field(1.0, gt=0, le=1e6)
+
+
 Action = Annotated[
-    Stroke | Set | SetAll | Time | Plain | Steps | Place | Remove | Resize | Crop | Import, Field(discriminator="do")
+    Stroke | Set | SetAll | Time | Plain | Steps | Place | Remove | Resize | Crop | Import | Mesh,
+    Field(discriminator="do"),
 ]
 ACTION = TypeAdapter(Action)
 WORDS = [word for row in get_args(get_args(Action)[0]) for word in get_args(row.model_fields["do"].annotation)]

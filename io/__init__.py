@@ -10,6 +10,7 @@ _HOME = {
     "LevelFolder": "package",
     "import_height": "terrain_files",
     "Heightmap": "terrain_files",
+    "import_mesh": "meshes",
     "EXPORTERS": "export",
     "export": "export",
     "check": "check_level",

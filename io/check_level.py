@@ -5,8 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..level import BadInput, Grid
+from ..level.objects import Prop
 from . import level_json
 from .level_sectors import check_sector, decode, file_hash
+from .mesh_files import file_of, unpacked
 from .package_read import HASHES, read_hashes
 from .transaction import RECORD, STAGE, pending
 
@@ -42,7 +44,21 @@ def check_level(path: Path) -> list[str]:
     for file in sorted((path / "layers").glob("*.exr")):
         if file.stem not in known:
             findings.append(f"{file} belongs to no layer that level.json lists")
+    for name in sorted({thing.mesh for thing in manifest.objects if isinstance(thing, Prop) and thing.mesh}):
+        findings += _check_mesh(path, name)
     return findings
+
+
+def _check_mesh(path: Path, name: str) -> list[str]:
+    file = path / file_of(name)
+    try:
+        if not file.resolve().is_relative_to(path.resolve()):
+            return [f"{file} is a link that leads out of the level"]
+        if not name.endswith(unpacked(file.read_bytes()).digest()[:8]):
+            return [f"{file} is not what was last saved: its hash differs"]
+    except (OSError, BadInput) as error:
+        return [f"{file} cannot be used: {getattr(error, 'strerror', None) or error}"]
+    return []
 
 
 def _check_file(path: Path, grid: Grid, name: str, hashes: dict[str, str]) -> list[str]:

@@ -7,10 +7,10 @@ from pathlib import Path
 
 from ..level import BadInput
 from .level_json import NAME
-from .transaction import RECORD, STAGE, flush
+from .transaction import FOLDERS, RECORD, STAGE, flush
 
 LOCK = ".lock"  # there only while an editor has the level; one that a killed editor left locks nobody out
-OURS = {LOCK, STAGE, "layers", NAME}
+OURS = {LOCK, STAGE, *FOLDERS, NAME}
 
 
 def check_folder(path: Path) -> None:
@@ -76,9 +76,9 @@ def is_husk(path: Path) -> bool:
     try:
         if path.is_symlink() or not path.is_dir() or (path / NAME).exists() or (path / STAGE / RECORD).exists():
             return False
-        layers = path / "layers"
         ours = all(entry.name in OURS for entry in path.iterdir())
-        return ours and not (layers.exists() and (layers.is_symlink() or any(layers.iterdir())))
+        folders = [path / name for name in FOLDERS if (path / name).exists()]
+        return ours and not any(folder.is_symlink() or any(folder.iterdir()) for folder in folders)
     except OSError:
         return False
 
@@ -86,7 +86,8 @@ def is_husk(path: Path) -> bool:
 def remove_empty(path: Path, whole: bool) -> None:
     """Put away what a first save that failed made, and the folder if `whole`; anything that isn't ours keeps it."""
     with contextlib.suppress(OSError):
-        (path / "layers").rmdir() if (path / "layers").is_dir() else None
+        for name in FOLDERS:
+            (path / name).rmdir() if (path / name).is_dir() else None
         if whole:
             (path / LOCK).unlink(missing_ok=True)
             path.rmdir()

@@ -1,4 +1,4 @@
-"""A level as a folder: `name.shore/level.json`, `layers/NAME.rR.cC.exr` by sector, `layers/hashes.json`.
+"""A level as a folder: `name.shore/level.json`, `layers/NAME.rR.cC.exr` by sector, `layers/hashes.json`, and `meshes/`.
 
 Only sectors that hold written tiles exist, except `height_base`, the imported ground, which is always whole; `height`
 holds what was sculpted on it. R and C count 1024-cell sectors from the south-west. Saving rewrites dirty sectors only,
@@ -13,11 +13,13 @@ from pathlib import Path
 from weakref import WeakKeyDictionary
 
 from ..level import BadInput, Level
+from ..level.meshes import NAME
 from . import level_json
 from .level_sectors import refuse_nan, sector_names, write_checked
 from .lock import check_folder, let_go, make_folder, remove_empty, take
+from .mesh_files import FOLDER, file_of, packed, wanted
 from .package_read import HASHES, THREADS, Saved, inside, read_committed, signature
-from .transaction import RECORD, STAGE, Hook, Transaction, disk_reason, finish
+from .transaction import FOLDERS, RECORD, STAGE, Hook, Transaction, disk_reason, finish
 
 _saved: WeakKeyDictionary[Level, Saved] = WeakKeyDictionary()
 
@@ -107,28 +109,45 @@ class LevelFolder:
         save = Transaction(self.path, self._hook)
         try:
             finish(self.path)
-            inside(self.path, "layers/any", None)
+            for folder in FOLDERS:
+                inside(self.path, f"{folder}/any", None)
             names = sector_names(level)
             dirty = [n for n in names if known is None or known.is_stale(level, n, self.path / f"layers/{n}.exr")]
             refuse_nan(level, dirty)
             hashes = {name: known.hashes[name] for name in names if name not in dirty} if known else {}
             revision, base = level.revision, level.layers["height"].base
-            written = self._commit(level, save, names, dirty, hashes)
+            written = self._commit(level, save, names, dirty, hashes, self._mesh_files(level, known))
         except OSError as error:
             raise self._failed(save, error) from None
         except Exception:
             save.discard()
             raise
         signatures = {name: signature(self.path / f"layers/{name}.exr") for name in names}
-        _saved[level] = Saved(self.path.resolve(), revision, base, hashes, signatures)
+        meshes = {name: signature(self.path / file_of(name)) for name in wanted(level) if name in level.meshes}
+        _saved[level] = Saved(self.path.resolve(), revision, base, hashes, signatures, meshes)
         return written
 
-    def _commit(self, level: Level, save: Transaction, names: list[str], dirty: list[str], hashes: dict) -> list[str]:
+    def _mesh_files(self, level: Level, known: Saved | None) -> dict[str, bytes | None]:
+        """Files of meshes to write, and (None) those to remove, which no prop names any more."""
+        kept, files = wanted(level), {}
+        for name in kept:
+            there = signature(self.path / file_of(name))
+            if name in level.meshes and (there is None or known is None or known.meshes.get(name) != there):
+                data = packed(level.meshes[name])
+                if not _same(self.path / file_of(name), data):
+                    files[file_of(name)] = data
+        stale = (path for path in sorted((self.path / FOLDER).glob("*.ply")) if path.stem not in kept)
+        return files | {f"{FOLDER}/{path.name}": None for path in stale if NAME.fullmatch(path.stem)}
+
+    def _commit(
+        self, level: Level, save: Transaction, names: list[str], dirty: list[str], hashes: dict,
+        meshes: dict[str, bytes | None],
+    ) -> list[str]:  # fmt: skip
         def stage(name: str) -> tuple[str, str]:
             save.hook(f"write layers/{name}.exr")
             return name, write_checked(level, name, save.path(f"layers/{name}.exr"))
 
-        save.begin()
+        save.begin(FOLDERS if meshes else FOLDERS[:1])
         with ThreadPoolExecutor(THREADS) as pool:
             for name, digest in pool.map(stage, dirty):
                 save.add(f"layers/{name}.exr")
@@ -137,6 +156,8 @@ class LevelFolder:
         for name, data in ((HASHES, f"{{\n{lines}\n}}\n".encode()), (level_json.NAME, level_json.dump(level, names))):
             if not _same(self.path / name, data):
                 save.write(name, data)
+        for name, data in meshes.items():
+            save.remove(name) if data is None else save.write(name, data)
         for path in sorted((self.path / "layers").glob("*.exr")):
             if path.stem not in hashes and level_json.is_sector(path.stem):
                 save.remove(f"layers/{path.name}")

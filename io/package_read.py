@@ -15,6 +15,7 @@ from ..level import BadInput, Grid, Level
 from . import level_json
 from .level_json import BASE, Manifest
 from .level_sectors import check_sector, decode, file_hash, put_tiles, revision_of
+from .mesh_files import file_of, read_meshes, wanted
 from .transaction import RECORD, STAGE, pending, where
 
 HASHES = "layers/hashes.json"
@@ -31,6 +32,7 @@ class Saved:
     base: np.ndarray
     hashes: dict[str, str] = field(default_factory=dict)
     signatures: dict[str, tuple | None] = field(default_factory=dict)
+    meshes: dict[str, tuple | None] = field(default_factory=dict)  # signatures of their files
 
     def is_stale(self, level: Level, name: str, path: Path) -> bool:
         """True when a sector changed in memory or its file on disk since."""
@@ -76,7 +78,10 @@ def _read(folder: Path, notes: list[str]) -> tuple[Level, Saved]:
         hashes = dict(zip(paths, pool.map(file_hash, paths.values())))
     _compare(folder, paths, read_hashes(inside(folder, HASHES, record)), hashes, notes)
     signatures = {name: signature(path) for name, path in paths.items()}
-    return level, Saved(folder.resolve(), level.revision, level.layers["height"].base, hashes, signatures)
+    files = {name: inside(folder, file_of(name), record) for name in wanted(level)}
+    read_meshes(level, files, notes)
+    meshes = {name: signature(files[name]) for name in files if name in level.meshes}
+    return level, Saved(folder.resolve(), level.revision, level.layers["height"].base, hashes, signatures, meshes)
 
 
 def _compare(folder: Path, paths: dict[str, Path], known: dict[str, str], found: dict[str, str], notes: list) -> None:

@@ -21,7 +21,8 @@ from ..level import BadInput
 
 STAGE = ".save"
 RECORD = "commit.json"
-NAME = re.compile(r"(layers/)?[A-Za-z0-9_]+(\.[A-Za-z0-9_]+)*")  # all that a record may name
+FOLDERS = ("layers", "meshes")  # in a level's folder
+NAME = re.compile(r"((layers|meshes)/)?[A-Za-z0-9_]+(\.[A-Za-z0-9_]+)*")  # all that a record may name
 MAX_RECORD = 16 << 20
 SPARE_BYTES = 1 << 20  # a disk with less left is full
 
@@ -38,13 +39,16 @@ class Transaction:
         self.moves: list[str] = []
         self.removals: list[str] = []
 
-    def begin(self) -> None:
+    def begin(self, folders: tuple[str, ...] = ("layers",)) -> None:
+        """Make the stage; `folders` are those of the level that this save writes to or removes from."""
         self.hook("begin")
-        (self.folder / "layers").mkdir(exist_ok=True)
-        if not os.access(self.folder / "layers", os.W_OK | os.X_OK):  # now, not when the record already stands
-            raise PermissionError(errno.EACCES, "its folder layers is read-only")
+        for name in folders:
+            (self.folder / name).mkdir(exist_ok=True)
+            if not os.access(self.folder / name, os.W_OK | os.X_OK):  # now, not when the record already stands
+                raise PermissionError(errno.EACCES, f"its folder {name} is read-only")
         self.stage.mkdir()
-        (self.stage / "layers").mkdir()
+        for name in folders:
+            (self.stage / name).mkdir()
 
     def path(self, name: str) -> Path:
         """Where to write the new content of a file; `add` it afterwards."""
@@ -71,7 +75,9 @@ class Transaction:
         part = self.stage / (RECORD + ".part")
         part.write_bytes(record)
         flush(part)
-        flush(self.stage / "layers")
+        for name in FOLDERS:
+            if (self.stage / name).is_dir():
+                flush(self.stage / name)
         self.hook("commit")
         os.replace(part, self.stage / RECORD)
         flush(self.stage)
@@ -113,12 +119,17 @@ def finish(folder: Path, hook: Hook | None = None) -> None:
     (folder / "layers").mkdir(exist_ok=True)
     for name in record["move"]:
         hook(f"move {name}")
+        (folder / name).parent.mkdir(exist_ok=True)
         with contextlib.suppress(FileNotFoundError):  # moved before the interruption
             os.replace(stage / name, folder / name)
     for name in record["remove"]:
         hook(f"remove {name}")
         (folder / name).unlink(missing_ok=True)
-    flush(folder / "layers")
+    with contextlib.suppress(OSError):
+        (folder / "meshes").rmdir()  # when nothing is left in it
+    for name in FOLDERS:
+        if (folder / name).is_dir():
+            flush(folder / name)
     flush(folder)
     hook("forget record")
     (stage / RECORD).unlink()
@@ -137,16 +148,15 @@ def _clear(stage: Path) -> None:
     """Remove what a save staged; nothing outside it is touched, whatever a link says."""
     if stage.is_symlink() or not stage.is_dir():
         return
-    for place in (stage / "layers", stage):
+    for place in (*(stage / name for name in FOLDERS), stage):
         if place.is_symlink() or not place.is_dir():
             continue
         for entry in place.iterdir():
             if entry.is_symlink() or entry.is_file():
                 entry.unlink()
-    with contextlib.suppress(OSError):
-        (stage / "layers").rmdir()
-    with contextlib.suppress(OSError):
-        stage.rmdir()
+    for place in (*(stage / name for name in FOLDERS), stage):
+        with contextlib.suppress(OSError):
+            place.rmdir()
 
 
 def flush(path: Path) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -17,6 +18,9 @@ from .layers import LAYERS, WEATHER_GRID, HeightData, LayerData
 from .objects import Camera
 from .params import replace
 from .settings import Settings
+
+if TYPE_CHECKING:
+    from .meshes import Mesh
 
 BAND = 32  # rows of a level that are looked at together when the changed part of it is put into rectangles
 LOGGED = 256  # changes of a layer that are remembered one by one
@@ -30,6 +34,9 @@ class Level:
     ):
         self.settings = settings or Settings()
         self.objects: dict[str, object] = {}
+        self.meshes: dict[
+            str, Mesh
+        ] = {}  # by name (meshes.py); kept while the level is open, saved where a prop names it
         self.georeference = georeference or {}
         self.revision = 0
         self.settings_revision = 0
@@ -117,6 +124,12 @@ class Level:
             self.objects.pop(name, None)
         else:
             self.objects[name] = thing
+        self.revision += 1
+        self.objects_revision = self.revision
+
+    def put_mesh(self, name: str, mesh: Mesh) -> None:
+        """Hold a mesh, for props to name. What it is follows from its name, so undo needs no step."""
+        self.meshes[name] = mesh
         self.revision += 1
         self.objects_revision = self.revision
 

@@ -112,7 +112,7 @@ class Prop(Placed):
     """A mesh that stands in the level, or floats (D12). Its mesh lies in the level's folder."""
 
     kind: Literal["prop"] = "prop"
-    mesh: str = Field("", max_length=200, description="Name of its mesh among those of the level.")
+    mesh: str = Field("", pattern=r"^[A-Za-z0-9_]{0,80}$", description="Name of its mesh among those of the level.")
     z: float = param(0.0, -1e5, 1e5, "m", "Height of its origin; a floating thing finds its own.")
     yaw_deg: float = param(0.0, -360, 360, "°", "Turned about the vertical, clockwise from north.")
     pitch_deg: float = param(0.0, -90, 90, "°", "Bow up.")
@@ -120,8 +120,9 @@ class Prop(Placed):
     scale: float = param(1.0, 0.001, 1000, "×", "Size.", soft=(0.1, 10))
     floats: bool = param(False, doc="It floats on the waves.")
     density: float = param(
-        0.45, 0.02, 1.5, "", "Its weight against that of the water its hull box holds.", soft=(0.1, 1)
+        0.45, 0.02, 1.5, "", "Share of its height that lies under water; from 1 on it sinks.", soft=(0.1, 1)
     )
+    dry: bool = param(True, doc="No sea is drawn inside its hull.")
     drifts: bool = param(False, doc="The current takes it along; else it stays at its mooring.")
     ripples: bool = param(True, doc="It draws rings on the water.")
 

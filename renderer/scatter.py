@@ -203,8 +203,8 @@ class Batch:
             key = (group, id(shader), shader.generation)
             if key not in self.arrays:
                 content = [
-                    (vertices, *_used(shader, "3f4 3f4 1f4", ("in_position", "in_normal", "in_sway"))),
-                    (self.buffers[group], *_used(shader, "4f4 4f4 4f4/i", ("in_place", "in_turn", "in_look"))),
+                    (vertices, *used(shader, "3f4 3f4 1f4", ("in_position", "in_normal", "in_sway"))),
+                    (self.buffers[group], *used(shader, "4f4 4f4 4f4/i", ("in_place", "in_turn", "in_look"))),
                 ]
                 self.arrays[key] = self.ctx.vertex_array(shader.program, content, indices, index_element_size=4)
             self.arrays[key].render(instances=count)
@@ -218,7 +218,7 @@ class Batch:
         self.buffers.clear()
 
 
-def _used(shader, layout: str, names: tuple[str, ...]) -> tuple[str, ...]:
+def used(shader, layout: str, names: tuple[str, ...]) -> tuple[str, ...]:
     """A buffer's layout with those attributes passed over that the compiler removed."""
     formats, _, rate = layout.partition("/")
     kept, shown = [], []

@@ -41,6 +41,7 @@ SHOW_FLAGS: dict[str, Flag] = {
         Flag("clouds", "Clouds", "High cirrus.", "", "T11"),
         Flag("sky", "Sky", "The sky behind everything; off, it is black."),
         Flag("antialias", "Smooth edges", "Edges of single frames smoothed."),
+        Flag("things", "Props", "Meshes from files that stand in the level or float.", "things.on", "T11 D12"),
         Flag("scatter", "Scatter", "Rocks, driftwood and grass.", "scatter.on", "T11 L09"),
     )
 }

@@ -86,6 +86,10 @@ VIEWS: dict[str, View] = {
              "s.material == LAND && s.emissive != vec3(0.0) ? s.emissive"
              " : vec3(0.12 * s.open + 0.1 * sun_visibility(position))",
              "direct", ids="L09"),
+        View("props", "Props", "Each prop in a colour of its own, on everything else in grey.",
+             "s.material == LAND && s.emissive != vec3(0.0) ? s.emissive"
+             " : vec3(0.12 * s.open + 0.1 * sun_visibility(position))",
+             "direct", ids="D12"),
         View("sky_visibility", "Sky visibility", "Share of the sky that the land leaves open.",
              "vec3(s.open)", ids="L02 L03"),
         View("ground", "Ground", "The material that shows most; hide the water to see the sea's floor.",

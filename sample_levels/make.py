@@ -6,6 +6,7 @@ import argparse
 import time
 from pathlib import Path
 
+import boats
 import cove
 import cove_paint
 import island
@@ -77,6 +78,7 @@ def make_cove(seed: int = SEED) -> Level:
     for index, (time_s, x, y, radius_m, strength) in enumerate(pushes):
         name = f"push-{index:02d}"
         level.put_object(name, Disturbance(id=name, x=x, y=y, time_s=time_s, radius_m=radius_m, strength=strength))
+    boats.place(level)
     return level
 
 

@@ -89,6 +89,22 @@ BAD = {
         ["taken.shore", "0,0,9,9"],
         ["nowhere.shore", "0,0,9,9"],
     ],
+    "place": [
+        [],
+        ["beach.shore"],
+        ["beach.shore", "text.txt", "--at", "1,1"],
+        ["beach.shore", "nowhere.glb", "--at", "1,1"],
+        ["beach.shore", "cut.glb", "--at", "1,1"],
+        ["beach.shore", "wedge.obj"],
+        ["beach.shore", "wedge.obj", "--at", "1"],
+        ["beach.shore", "wedge.obj", "--at", "1,nan"],
+        ["beach.shore", "wedge.obj", "--at", "1,1", "--scale", "0"],
+        ["beach.shore", "wedge.obj", "--at", "1,1", "--density", "9"],
+        ["beach.shore", "wedge.obj", "--at", "1,1", "--up", "x"],
+        ["beach.shore", "wedge.obj", "--at", "1,1", "--name", "a/b"],
+        ["nowhere.shore", "wedge.obj", "--at", "1,1"],
+        ["taken.shore", "wedge.obj", "--at", "1,1"],
+    ],
     "render": [
         ["beach.shore"],
         ["nowhere.shore", "-o", "a.png"],
@@ -175,6 +191,8 @@ def template(tmp_path_factory):
         (folder / name).write_text(text)
     (folder / "text.txt").write_text("no grid\nof numbers\n")
     (folder / "broken.png").write_bytes(b"\x89PNG\r\n\x1a\n" + b"\0" * 40)
+    (folder / "cut.glb").write_bytes(b"glTF\x02\0\0\0\xff\0\0\0")
+    (folder / "wedge.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")
     (folder / "empty").mkdir()
     (folder / "folder.png").mkdir()
     np.savez(folder / "coast.npz", height=level.height)

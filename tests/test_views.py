@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 from shorewright.level import LAYERS, BadInput, Grid, Level, Rect
-from shorewright.level.objects import Camera, Disturbance, Mover, PointLight
+from shorewright.level.meshes import block
+from shorewright.level.objects import Camera, Disturbance, Mover, PointLight, Prop
 from shorewright.renderer import SHOW_FLAGS, VIEWS, Overlays, Renderer, Ring, Show, render
 
 pytestmark = pytest.mark.gl
@@ -28,8 +29,10 @@ def small_coast():
         Mover(id="mover", x=70, y=36, circle_m=4, radius_m=2, speed_mps=4),
         Disturbance(id="burst", x=86, y=40, time_s=4.5, radius_m=5, strength=5),
         PointLight(id="lamp", x=80, y=50, z=4, power_kcd=900),
+        Prop(id="raft", mesh="block", x=74, y=44, floats=True, scale=4),
     ):
         level.put_object(thing.id, thing)
+    level.put_mesh("block", block())
     return level
 
 
@@ -63,7 +66,7 @@ def test_every_view_is_finite_and_not_blank(scene, name):
 def test_views_show_what_they_say(scene):
     """The numbers of a view are the numbers of the level at the pixel's place (D03)."""
     level, _ = scene
-    dry = Show.hide("water,scatter")
+    dry = Show.hide("water,scatter,things")
     position, height, depth, bands = (
         picture(scene, name, linear=True, show=dry).astype(np.float64)
         for name in ("position", "height", "depth", "depth_fract")
@@ -96,7 +99,7 @@ def test_every_flag_changes_the_picture_and_leaves_no_trace(scene, name):
 @pytest.mark.parametrize("name", set(SHOW_FLAGS) - {"water"})
 def test_flags_leave_the_ground_alone(scene, name):
     """Switching one off changes nothing else: the height below stays (T11)."""
-    bare = ("water", "scatter")  # what stands in front shows the ground at its own place
+    bare = ("water", "scatter", "things")  # what stands in front shows the ground at its own place
     a, b = (picture(scene, "height", linear=True, show=Show.hide(names)) for names in (bare, {*bare, name}))
     assert np.array_equal(a, b)
 

@@ -8,9 +8,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...level.pick import ground_at
 from ..frame import Frame
+from ..props import placed
 from ..scatter import CONTACT_FLOATS
 from .scatter import seen_in
+
+DARK = 0.6  # of the foot of a prop
+LEAST_PX = 3.0
 
 
 class Discs:
@@ -43,17 +48,38 @@ class Discs:
             thing.release()
 
 
+def prop_feet(frame: Frame) -> np.ndarray:
+    """Feet of props that stand or lie on the ground, float32 `(n, CONTACT_FLOATS)`."""
+    rows = []
+    for thing in placed(frame):
+        low, high = thing.mesh.box * thing.prop.scale
+        axes, half = thing.pose.axes, (high - low) / 2
+        foot = thing.pose.place + axes @ np.array([*(low + half)[:2], low[2]])
+        radius, long = 0.9 * half[:2].min(), 0.85 * abs(half[1] - half[0])
+        near = foot - frame.matrices.position
+        small = radius < LEAST_PX * frame.uniforms["u_pixel_angle"] * np.linalg.norm(near)
+        if small or thing.pose.afloat > 0 or abs(float(ground_at(frame.level, *foot[:2])) - foot[2]) > 0.3 * radius:
+            continue
+        way = axes[:2, 1 if half[1] > half[0] else 0]
+        way = way / max(float(np.linalg.norm(way)), 1e-6)
+        rows.append((*near, radius, *way, long, DARK, *axes[:2, 2]))
+    return np.array(rows, np.float32).reshape(-1, CONTACT_FLOATS)
+
+
 def draw(frame: Frame) -> None:
-    if not frame.level.settings.scatter.on or not len(seen_in(frame).feet):
-        return
     seen, ctx = seen_in(frame), frame.renderer.ctx
+    feet = seen.feet if frame.level.settings.scatter.on else seen.feet[:0]
+    props = prop_feet(frame)
+    feet = np.concatenate([feet, props]) if len(props) else feet
+    if not len(feet):
+        return
     if seen.discs is None:
         seen.discs = Discs(ctx)
-    seen.discs.send(seen.feet)
+    seen.discs.send(feet)
     frame.targets.land[0].use()  # the colour stays, its alpha is multiplied
     ctx.enable(ctx.BLEND)
     ctx.blend_func = ctx.ZERO, ctx.ONE, ctx.ZERO, ctx.SRC_ALPHA
     seen.discs.draw(frame.shader("contact.glsl"))
     ctx.blend_func = ctx.DEFAULT_BLENDING
     ctx.disable(ctx.BLEND)
-    frame.stats["contacts"] = len(seen.feet)
+    frame.stats["contacts"] = len(feet)

@@ -1,8 +1,9 @@
-"""Shadow map of scattered things (L03): how high above a place the highest of them stands on the way to the sun.
+"""Shadow map of things (L03, D12): how high above a place the highest of them stands on the way to the sun.
 
 The world is slid along the sun's rays onto a level plane, so a texel is a piece of ground whatever the sun's height,
 and the map's grid is fixed to the world. Two squares lie side by side in one texture: a small one before the camera,
-a large one round it. They move in large steps: while the camera stays near, they are kept.
+a large one round it. They move in large steps: while the camera stays near, they are kept. What floats is drawn
+anew into a copy of them.
 """
 
 from __future__ import annotations
@@ -14,7 +15,9 @@ import numpy as np
 from ...level.pick import ground_at
 from ...level.scatter_kinds import SCATTER
 from ..frame import Frame
+from ..props import buffers, placed
 from ..scatter import Batch, Eye, gather
+from .prop_casters import Copy, cast, looks, planes, reached
 from .scatter import meshes, recent
 
 SMALLEST_M = 64.0  # side of the large square; twice that, and twice again, for cameras farther off
@@ -27,21 +30,30 @@ NIGHT = 0.01  # below this height the sun throws none
 
 
 class PropMap:
-    """A depth texture, two squares wide, and what was drawn into each."""
+    """A depth texture, two squares wide, and what was drawn into each; a copy of it is made when something floats."""
 
     def __init__(self, frame: Frame) -> None:
-        ctx, size = frame.renderer.ctx, frame.tier.prop_shadow_size
-        self.size = size
-        self.texture = ctx.depth_texture((2 * size, size))
-        self.texture.compare_func = ""
-        self.texture.filter = ctx.NEAREST, ctx.NEAREST
-        self.texture.repeat_x = self.texture.repeat_y = False
-        self.framebuffer = ctx.framebuffer(depth_attachment=self.texture)
+        ctx, self.size = frame.renderer.ctx, frame.tier.prop_shadow_size
+        self.ctx = ctx
+        self.still = self.framebuffer()
+        self.copy: Copy | None = None
         self.batches = [Batch(ctx, meshes(frame)) for _ in range(2)]
+        self.props: list[tuple] = [(), ()]
         self.range_m = 1.0
 
+    def framebuffer(self):
+        texture = self.ctx.depth_texture((2 * self.size, self.size))
+        texture.compare_func = ""
+        texture.filter = self.ctx.NEAREST, self.ctx.NEAREST
+        texture.repeat_x = texture.repeat_y = False
+        return self.ctx.framebuffer(depth_attachment=texture)
+
+    @property
+    def textures(self) -> list:
+        return [target.depth_attachment for target in (self.still, self.copy and self.copy.target) if target]
+
     def release(self) -> None:
-        for thing in (*self.batches, self.framebuffer, self.texture):
+        for thing in (*self.batches, self.still.depth_attachment, self.still, *filter(None, [self.copy])):
             thing.release()
 
 
@@ -89,39 +101,59 @@ def draw(frame: Frame) -> None:
     sun = np.asarray(frame.uniforms["u_sun_direction"], np.float64)
     way = slant(sun)
     found = squares(frame, way)
-    range_m = 2.0 ** math.ceil(math.log2(tallest_m(frame) + 8.0 * max(level.settings.scatter.size, 1.0)))
-    on = level.settings.scatter.on and level.settings.light.shadows and sun[2] > NIGHT
+    lit = level.settings.light.shadows and sun[2] > NIGHT
+    things = placed(frame) if lit else []
+    frame.renderer.uploader.sent["props"] += buffers(frame).keep(things) if things else 0
+    high = max((abs(thing.middle[2] - level.sea_level_m) + thing.radius_m for thing in things), default=0.0)
+    range_m = 2.0 ** math.ceil(math.log2(max(tallest_m(frame) + 8.0 * max(level.settings.scatter.size, 1.0), high)))
+    on = lit and (level.settings.scatter.on or bool(things))
     for index, (batch, square) in enumerate(zip(made.batches, found, strict=True)):
-        key = frame.tier.name, *sun, *square, range_m
-        if on and not batch.fresh(level, *key):
-            made.range_m = range_m
+        still = reached([thing for thing in things if not thing.prop.floats], square, way, made.size)
+        key = frame.tier.name, *sun, *square, range_m, level.settings.scatter.on
+        if on and not (batch.fresh(level, *key) and made.props[index] == looks(still, square)):
+            made.range_m, made.props[index] = range_m, looks(still, square)
             _render(frame, made, index, square, way, key)
+            cast(frame, made.still, index, square, _shader(frame, square, way, range_m, PROP=""), still)
+            if made.copy:
+                made.copy.stale = made.copy.whole
+    texture = made.still.depth_attachment
+    if on:
+        texture = _floating(frame, made, found, way, [thing for thing in things if thing.prop.floats]) or texture
     found[:, 3] *= on
-    frame.textures["u_prop_shadow"] = made.texture
+    frame.textures["u_prop_shadow"] = texture
     frame.uniforms["u_prop_squares"] = found.astype(np.float32)
     frame.uniforms["u_prop_slant"] = tuple(way)
     frame.uniforms["u_prop_range"] = range_m
     frame.uniforms["u_prop_soft"] = made.size > 512
 
 
+def _floating(frame: Frame, made: PropMap, found: np.ndarray, way: np.ndarray, things: list):
+    """The map with what floats in it; None where nothing does."""
+    groups = [reached(things, square, way, made.size) for square in found]
+    if not any(groups):
+        return None
+    made.copy = made.copy or Copy(made.framebuffer(), made.size)
+    made.copy.restore(frame, made.still.depth_attachment)
+    for index, (square, near) in enumerate(zip(found, groups, strict=True)):
+        cast(frame, made.copy.target, index, square, _shader(frame, square, way, made.range_m, PROP=""), near)
+        made.copy.cover(index, square, way, near)
+    return made.copy.target.depth_attachment
+
+
 def _render(frame: Frame, made: PropMap, index: int, square: np.ndarray, way: np.ndarray, key: tuple) -> None:
+    """Scattered things into one square, which is cleared first."""
     level, ctx, batch = frame.level, frame.renderer.ctx, made.batches[index]
-    middle, half = square[:3], float(square[3])
+    half = float(square[3])
     reach = 1.5 * half + math.hypot(1.0, *way) * tallest_m(frame)
-    reached = {name: reach for name, kind in SCATTER.items() if casts(kind, 2 * half / made.size, frame)}
-    # a thing counts where the square, slid back to its height, holds it
-    planes = np.array([(x, y, -(x * way[0] + y * way[1]), half) for x, y in ((1, 0), (-1, 0), (0, 1), (0, -1))])
-    planes /= np.linalg.norm(planes[:, :3], axis=1, keepdims=True)
-    groups = gather(level, Eye(middle, planes, 0.0), frame.tier, reached)
+    far = {name: reach for name, kind in SCATTER.items() if casts(kind, 2 * half / made.size, frame)}
+    on = level.settings.scatter.on
+    groups = gather(level, Eye(square[:3], planes(square, way), 0.0), frame.tier, far) if on else {}
     frame.renderer.uploader.sent["casters"] += batch.fill(level, groups, *key)
     place = (index * made.size, 0, made.size, made.size)
-    made.framebuffer.use()
-    made.framebuffer.viewport = place
-    made.framebuffer.clear(depth=1.0, viewport=place)
-    shader = frame.shader("prop_shadow.glsl")
-    for name, value in {"u_slant": tuple(way), "u_half_m": half, "u_range_m": made.range_m}.items():
-        shader.program[name].value = value
-
+    made.still.use()
+    made.still.viewport = place
+    made.still.clear(depth=1.0, viewport=place)
+    shader = _shader(frame, square, way, made.range_m)
     lower_m = BLADES_M + 2 * half / made.size
 
     def turned(kind):
@@ -139,6 +171,13 @@ def _render(frame: Frame, made: PropMap, index: int, square: np.ndarray, way: np
     stats = frame.stats
     stats["prop_shadow_triangles"] = stats.get("prop_shadow_triangles", 0) + triangles
     stats["prop_shadow_instances"] = stats.get("prop_shadow_instances", 0) + instances
+
+
+def _shader(frame: Frame, square: np.ndarray, way: np.ndarray, range_m: float, **defines: str):
+    shader = frame.shader("prop_shadow.glsl", **defines)
+    for name, value in {"u_slant": tuple(way), "u_half_m": float(square[3]), "u_range_m": range_m}.items():
+        shader.program[name].value = value
+    return shader
 
 
 def casts(kind, texel_m: float, frame: Frame) -> bool:

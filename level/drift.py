@@ -1,0 +1,62 @@
+"""Where the current takes things that drift (D12): one path a prop, from time zero, the same whatever is asked first.
+
+A thing's speed comes to that of the water by `things.drag`; within a step the water's counts as constant, which has an
+exact solution. It stops where the still water is too shallow for it, at the level's border, and after MOST_S. While a
+stroke is open a path stays, as the current does.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from .flow import Current, current
+from .level import Level
+from .objects import Prop
+from .pick import ground_at
+
+STEP_S = 0.5
+MOST_S = 900.0  # a path is followed so far
+
+
+@dataclass
+class Path:
+    """States at whole steps: east, north, speed east and north; `key` says what it was made for."""
+
+    key: tuple
+    states: list[tuple[float, float, float, float]] = field(default_factory=list)
+
+
+def drifted(level: Level, prop: Prop, t: float, draft_m: float) -> tuple[float, float]:
+    """World x, y of a drifting prop at time t; `draft_m` is how deep it reaches under the still sea."""
+    drag, water = level.settings.things.drag, current(level)
+    key = (prop.x, prop.y, drag, draft_m, water.key, level.layer_revision("height"), level.sea_level_m)
+    paths = level.derived.setdefault("drift", {})
+    path = paths.get(prop.id)
+    if path is None or (path.key != key and not (level.live and path.key[:3] == key[:3])):
+        path = paths[prop.id] = Path(key, [(prop.x, prop.y, 0.0, 0.0)])
+    t = min(max(t, 0.0), MOST_S)
+    steps = math.floor(t / STEP_S + 1e-9)
+    while len(path.states) <= steps:
+        path.states.append(_moved(level, water, path.states[-1], STEP_S, drag, draft_m))
+    return _moved(level, water, path.states[steps], t - steps * STEP_S, drag, draft_m)[:2]
+
+
+def _moved(level: Level, water: Current, state: tuple, dt: float, drag: float, draft_m: float) -> tuple:
+    """A state `dt` seconds later: du/dt = drag · (current − u), solved for a constant current."""
+    x, y, *speed = state
+    if dt <= 0 or drag <= 0:
+        return state
+    left = math.exp(-drag * dt)
+    ways = []
+    for i, flow in enumerate(water.at(x, y)):
+        over = speed[i] - float(flow)
+        ways.append(float(flow) * dt + over * (1 - left) / drag)
+        speed[i] = float(flow) + over * left
+    east, north = x + ways[0], y + ways[1]
+    inside = 0 <= east <= level.grid.extent_m[0] and 0 <= north <= level.grid.extent_m[1]
+    if not inside or float(ground_at(level, np.array(east), np.array(north))) + draft_m > level.sea_level_m:
+        return x, y, 0.0, 0.0  # aground
+    return east, north, *speed
