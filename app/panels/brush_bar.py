@@ -94,18 +94,37 @@ def _profile(name: str, corner, width: float, ink: tuple) -> None:
 
 
 def draw_parameters(editor: Editor) -> None:
-    """A widget for every parameter of the brush in hand."""
+    """A widget for every parameter of the brush in hand; for another tool what it does."""
     session = editor.session
+    if session.tool != BRUSH:
+        _told(TOOLS[session.tool].title, TOOLS[session.tool].doc)
+        if session.tool == "prop":
+            _meshes(editor)
+        return
     brush, params = BRUSHES[session.brush], session.params[session.brush]
-    with theme.bold():
-        imgui.text_unformatted(brush.label)
-    imgui.push_style_color(imgui.Col_.text, theme.colour(theme.INK_FAINT))
-    imgui.text_wrapped(brush.doc)
-    imgui.pop_style_color()
-    imgui.spacing()
+    _told(brush.label, brush.doc)
     param_widgets.draw_all(
         describe(type(params)),
         lambda name: getattr(params, name),
         lambda name, value, merge: editor.attempt(session.set_param, name, value),
         lambda: None,
     )
+
+
+def _told(title: str, doc: str) -> None:
+    with theme.bold():
+        imgui.text_unformatted(title)
+    imgui.push_style_color(imgui.Col_.text, theme.colour(theme.INK_FAINT))
+    imgui.text_wrapped(doc)
+    imgui.pop_style_color()
+    imgui.spacing()
+
+
+def _meshes(editor: Editor) -> None:
+    """Which mesh the next prop shows."""
+    session = editor.session
+    for name in session.level.meshes:
+        if imgui.radio_button(f"{name}###mesh_{name}", name == (session.mesh or next(reversed(session.level.meshes)))):
+            session.mesh = name
+    if imgui.button(theme.titled("folder_open", "From a file…", "mesh_file")):
+        session.ask("prop")
