@@ -16,6 +16,7 @@ from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
 from . import placing
 from .session import Session
+from .tools import BRUSH, SELECT, TOOLS, Tool, pick_tool, put_away
 
 SIZE_STEP = 1.12  # one press of [ or ]
 STRENGTH_STEP = 1.15
@@ -82,7 +83,7 @@ def _rows() -> list[Action]:
         Action("quit", "Quit", ("Ctrl+Q",), "File", lambda s: s.ask("quit")),
         Action("undo", "Undo", ("Ctrl+Z",), "Edit", Session.undo, _can_undo, repeats=True),
         Action("redo", "Redo", ("Ctrl+Shift+Z", "Ctrl+Y"), "Edit", Session.redo, _can_redo, repeats=True),
-        Action("abort", "Abort stroke", ("Escape",), "Edit", Session.stroke_abort, lambda s: s.stroke is not None),
+        Action("abort", "Abort stroke, let go of the tool", ("Escape",), "Edit", _abort, _can_abort),
         Action("pause", "Pause or run", ("Space",), "Time", Session.toggle_pause),
         Action("step", "One step on", (".",), "Time", lambda s: s.step_time(1), repeats=True),
         Action("step_back", "One step back", (",",), "Time", lambda s: s.step_time(-1), repeats=True),
@@ -94,11 +95,16 @@ def _rows() -> list[Action]:
         Action("last_view", "View before", ("Shift+F1",), "View", _view(-1), repeats=True),
         *_show_rows(),
         *(Action(f"light.{row.name}", row.label, (), "Light", _environment(row.name)) for row in ENVIRONMENTS.values()),
-        Action("place.flow_point", "Flow point in the middle of the picture", (), "Place", placing.flow_point),
-        Action("place.lamp", "Lamp in the middle of the picture", (), "Place", placing.lamp),
-        Action("place.mover", "Mover in the middle of the picture", (), "Place", placing.mover),
-        Action("place.burst", "Burst now in the middle of the picture", (), "Place", placing.burst),
-        Action("place.water_table", "Water table from the water's colour", (), "Place", placing.water_table),
+        *(Action(f"tool.{row.name}", _tool_title(row), row.keys, "Place", _tool(row.name)) for row in TOOLS.values()),
+        Action("prop_file", "Prop from a file…", (), "Place", lambda s: s.ask("prop")),
+        *(
+            Action(f"place.{row.name}", f"{row.title} in the middle", (), "In the middle", _put(row.name))
+            for row in placing.PLACEABLES.values()
+        ),
+        Action("object.delete", "Delete the object", ("Delete",), "Edit", placing.delete, _has_object),
+        Action("object.duplicate", "Duplicate the object", ("Ctrl+D",), "Edit", placing.duplicate, _has_object),
+        Action("object.left", "Turn the object left", ("Ctrl+[",), "Edit", _turn(-15.0), _has_object, repeats=True),
+        Action("object.right", "Turn the object right", ("Ctrl+]",), "Edit", _turn(15.0), _has_object, repeats=True),
         Action("palette", "Find a command…", ("Ctrl+P",), "Edit", lambda s: s.ask("palette")),
         Action("frame", "Frame what is pointed at", ("F",), "View", Session.frame),
         Action("frame_all", "Frame the whole level", ("Shift+F",), "View", _frame_all),
@@ -111,6 +117,34 @@ def _rows() -> list[Action]:
             for brush in BRUSHES.values()
         ),
     ]
+
+
+def _tool(name: str) -> Callable[[Session], None]:
+    return lambda session: pick_tool(session, name)
+
+
+def _tool_title(row: Tool) -> str:
+    return row.title if row.name in (BRUSH, SELECT) else f"Drop: {row.title.lower()}"
+
+
+def _put(name: str) -> Callable[[Session], object]:
+    return lambda session: placing.put(session, name)
+
+
+def _turn(degrees: float) -> Callable[[Session], None]:
+    return lambda session: placing.turn(session, degrees)
+
+
+def _abort(session: Session) -> None:
+    session.stroke_abort() if session.stroke is not None else put_away(session)
+
+
+def _can_abort(session: Session) -> bool:
+    return session.stroke is not None or session.tool != BRUSH or bool(session.selected)
+
+
+def _has_object(session: Session) -> bool:
+    return session.selected in session.level.objects
 
 
 def _view(step: int) -> Callable[[Session], None]:

@@ -9,7 +9,8 @@ from imgui_bundle import imgui
 from ..level import BadInput
 from . import theme
 from .editor import Editor
-from .file_forms import FORMS, WIDE, Form, OpenForm, open_level
+from .file_forms import WIDE, Form, OpenForm, open_level
+from .forms import FORMS
 from .recovery_offer import Offer, offers
 from .session import Session
 

@@ -5,25 +5,22 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
 from ..level import BadInput, Clock
 from ..level.atoms import Thing
-from ..level.objects import OBJECT, OBJECT_KINDS
-from ..level.params import get, replace, sentence
+from ..level.params import get, replace
 from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
 from . import recovery_record
 from . import script as words
 from .imported import imported_height
-from .prop_edits import Props
+from .object_edits import Objects
 
 
-class Edits(Props):
+class Edits(Objects):
     """Everything but strokes that changes a level, each an undoable step."""
 
     clock: Clock
 
-    # Settings and objects
+    # Settings
 
     def set(self, path: str, value: Any, merge: bool = False, always: bool = False) -> None:
         """Change a setting such as `sea.swell_m`; `merge` joins the steps of a slider drag until `seal`.
@@ -52,28 +49,6 @@ class Edits(Props):
     def seal(self) -> None:
         """The slider was let go: its next change is a step of its own."""
         self.journal.seal()
-
-    def place(self, thing: Any) -> None:
-        """Place an object (model or dict), or put it where the one with its id was; BadInput says what is wrong."""
-        try:
-            thing = OBJECT.validate_python(thing)
-        except ValidationError as error:
-            kinds = ", ".join(OBJECT_KINDS)
-            kind = thing.get("kind") if isinstance(thing, dict) else None
-            told = sentence(error, "object") if kind in OBJECT_KINDS else f"an object's kind is one of {kinds}"
-            raise BadInput(told) from None
-        self._end_stroke()
-        with self._edit(words.Place(object=thing)):
-            self.journal.put(thing.id, thing)
-
-    def remove(self, name: str) -> None:
-        """Remove an object; BadInput when there is none of that id."""
-        if name not in self.level.objects:
-            known = ", ".join(sorted(self.level.objects)) or "none"
-            raise BadInput(f"this level has no object {name!r}; it has: {known}")
-        self._end_stroke()
-        with self._edit(words.Remove(id=name)):
-            self.journal.put(name, None)
 
     # Whole grids
 
@@ -230,6 +205,8 @@ class Edits(Props):
                 self.place(action.object)
             case words.Remove():
                 self.remove(action.id)
+            case words.Rename():
+                self.rename(action.id, action.to)
             case words.Resize():
                 self.resize(action.samples, action.cell_m)
             case words.Crop():

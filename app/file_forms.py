@@ -236,6 +236,3 @@ class ExportForm(Form):
 
         paths = io.export(self.editor.session.level, self.targets[self.target].name, self.field.path, name=self.stem)
         self.editor.messages.tell(f"Exported {len(paths)} files to {self.field.path}")
-
-
-FORMS = {"new": NewForm, "open": OpenForm, "save_as": SaveAsForm, "import": ImportForm, "export": ExportForm}

@@ -18,6 +18,7 @@ class Hand(Steps):
     level: Level
     journal: Journal
     brush: str
+    tool: str
     params: dict[str, Section]
     stroke: Stroke | None
 
@@ -27,6 +28,7 @@ class Hand(Steps):
             raise BadInput(f"no brush is called {name!r}; there are: {', '.join(BRUSHES)}")
         self.stroke_end()
         self.brush = name
+        self.tool = "brush"
 
     def set_param(self, name: str, value: Any, brush: str | None = None) -> None:
         """Change a parameter of a brush; BadInput out of range. No undo step: the level is untouched."""

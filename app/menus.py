@@ -8,9 +8,13 @@ from ..level.environments import environment_of
 from . import keys, theme
 from .actions import ACTIONS, Action
 from .editor import OVERLAYS, QUALITIES, Editor
+from .tools import BRUSH
 
 ORDER = ("File", "Edit", "Brush", "Light", "Place", "Time", "View")
-RULED = {"import", "quit", "abort", "frame", "next_view", "brush.raise"}  # a line above these
+INNER = {"In the middle": "Place"}  # menus within others
+RULED = {
+    "import", "quit", "abort", "frame", "next_view", "brush.raise", "tool.prop", "prop_file", "object.delete",
+}  # a line above these  # fmt: skip
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),
     ("L + left", "turn and lift the sun"),
@@ -25,6 +29,10 @@ def draw(editor: Editor) -> None:
     for menu in ORDER:
         if imgui.begin_menu(menu):
             _rows(editor, menu)
+            for inner in (name for name, outer in INNER.items() if outer == menu):
+                if imgui.begin_menu(inner):
+                    _rows(editor, inner)
+                    imgui.end_menu()
             if menu == "File":
                 _recent(editor)
             if menu == "View":
@@ -56,7 +64,11 @@ def _chosen(editor: Editor, name: str) -> bool:
         return name.removeprefix("show.") in session.show
     if name.startswith("light."):
         return name == f"light.{environment_of(session.level.settings)}"
-    return name == f"brush.{session.brush}" or (name in OVERLAYS and getattr(editor, name))
+    if name.startswith("tool."):
+        return name == f"tool.{session.tool}"
+    if name.startswith("brush."):
+        return name == f"brush.{session.brush}" and session.tool == BRUSH
+    return name in OVERLAYS and getattr(editor, name)
 
 
 def _recent(editor: Editor) -> None:

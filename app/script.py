@@ -81,6 +81,12 @@ class Remove(Do):
     id: str
 
 
+class Rename(Do):
+    do: Literal["rename"] = "rename"
+    id: str
+    to: str
+
+
 class Resize(Do):
     do: Literal["resize"] = "resize"
     samples: int | None = None
@@ -113,7 +119,7 @@ class Mesh(Do):
 
 
 Action = Annotated[
-    Stroke | Set | SetAll | Time | Plain | Steps | Place | Remove | Resize | Crop | Import | Mesh,
+    Stroke | Set | SetAll | Time | Plain | Steps | Place | Remove | Rename | Resize | Crop | Import | Mesh,
     Field(discriminator="do"),
 ]
 ACTION = TypeAdapter(Action)

@@ -6,14 +6,18 @@ from imgui_bundle import imgui
 
 from ..renderer import SHOW_FLAGS, VIEWS
 from . import theme
+from .actions import ACTIONS
 from .editor import QUALITIES, Editor
+from .marker_overlay import MarkerOverlay
 from .panels import views_panel
 from .param_widgets import tooltip
 from .picture import Picture
+from .tools import BRUSH, SELECT, TOOLS
 from .viewport_overlay import Overlay, stroke_text
 from .viewport_pointer import Pointer
 
 _FLAGS = imgui.ButtonFlags_
+FIRST_OF_GROUP = {next(name for name in TOOLS if name not in (BRUSH, SELECT)): "Drop"}
 BUTTONS = _FLAGS.mouse_button_left | _FLAGS.mouse_button_right | _FLAGS.mouse_button_middle
 
 
@@ -54,13 +58,14 @@ class Viewport:
         preview = session.stroke.preview() if session.stroke else None
         if preview and "start" in preview:
             overlay.ramp(preview)
-        elif session.cursor and (hovered or self.pointer.mode) and self.pointer.mode in ("", "stroke"):
+        elif session.tool == BRUSH and session.cursor and self._brushing(hovered):
             io = imgui.get_io()
             stroke = session.stroke
             invert = stroke.invert if stroke else io.key_ctrl
             overlay.ring(session.cursor, invert, stroke.smooth if stroke else io.key_shift)
             if stroke:
                 overlay.beside_pointer(stroke_text(self.editor.probe()))
+        MarkerOverlay(overlay).draw(self._where(origin) if hovered else None)
         if self.picture.drawn is None and not self.picture.failure:
             overlay.corner_text("Preparing the picture…")
         elif self.picture.failure:
@@ -70,6 +75,15 @@ class Viewport:
         overlay.toast()
         draw_list.pop_clip_rect()
 
+    def _brushing(self, hovered: bool) -> bool:
+        return self.pointer.mode == "stroke" or (hovered and not self.pointer.mode)
+
+    @staticmethod
+    def _where(origin) -> tuple[float, float]:
+        """The pointer in the viewport's pixels."""
+        mouse = imgui.get_mouse_pos()
+        return mouse.x - origin.x, mouse.y - origin.y
+
     # The bar over the picture
 
     def _bar(self, origin) -> None:
@@ -77,6 +91,8 @@ class Viewport:
         imgui.set_cursor_screen_pos(imgui.ImVec2(origin.x + 10, origin.y + 10))
         imgui.push_style_color(imgui.Col_.button, theme.colour(theme.SHADE, 0.66))
         imgui.push_style_color(imgui.Col_.frame_bg, theme.colour(theme.SHADE, 0.66))
+        self._tools()
+        imgui.same_line()
         self._views()
         imgui.same_line()
         self._flags()
@@ -87,6 +103,23 @@ class Viewport:
         imgui.same_line()
         self._water()
         imgui.pop_style_color(2)
+
+    def _tools(self) -> None:
+        """The tool in hand, and all others behind it."""
+        session = self.editor.session
+        row = TOOLS[session.tool]
+        if _lit_button(theme.titled(row.glyph, row.title, "tool"), session.tool != BRUSH):
+            imgui.open_popup("tool_popup")
+        tooltip(f"What the left button does. {row.doc}")
+        if imgui.begin_popup("tool_popup"):
+            for tool in TOOLS.values():
+                if tool.name in FIRST_OF_GROUP:
+                    imgui.separator_text(FIRST_OF_GROUP[tool.name])
+                label = theme.titled(tool.glyph, tool.title, f"tool_{tool.name}")
+                if imgui.menu_item(label, "".join(tool.keys[:1]), tool.name == session.tool)[0]:
+                    self.editor.do(ACTIONS[f"tool.{tool.name}"])
+                tooltip(tool.doc)
+            imgui.end_popup()
 
     def _views(self) -> None:
         session = self.editor.session

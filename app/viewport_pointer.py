@@ -1,8 +1,8 @@
 """The pointer in the viewport: strokes with the left button, camera with the others.
 
-Left: brush (Ctrl inverts, Shift smooths). L+left: the sun. Alt+left or middle: orbit. Shift+middle or Alt+middle: pan.
-Alt+right: dolly. Right held: look round and fly with W A S D Q E, Shift faster; the wheel then sets the speed, else it
-zooms to the pointer.
+Left: brush (Ctrl inverts, Shift smooths), or what the object tool in hand does (object_grip.py). L+left: the sun.
+Alt+left or middle: orbit. Shift+middle or Alt+middle: pan. Alt+right: dolly. Right held: look round and fly with
+W A S D Q E, Shift faster; the wheel then sets the speed, else it zooms to the pointer.
 """
 
 from __future__ import annotations
@@ -14,6 +14,8 @@ from ..level.pick import pick_ray
 from ..renderer.camera import camera_matrices
 from . import camera_control as control
 from .editor import Editor
+from .object_grip import Grip
+from .tools import BRUSH
 
 LEFT, RIGHT, MIDDLE = 0, 1, 2
 FLY = {name: getattr(imgui.Key, name) for name in control.FLY_KEYS}
@@ -21,12 +23,13 @@ FASTER = 4.0
 
 
 class Pointer:
-    """What the pressed buttons mean until released; `mode` is "", stroke, sun, orbit, pan, dolly, fly or dead."""
+    """What the pressed buttons mean until released; `mode` is "", stroke, object, sun, orbit, pan, dolly, fly, dead."""
 
     def __init__(self, editor: Editor) -> None:
         self.editor = editor
         self.mode = ""
         self.button = LEFT
+        self.grip = Grip(editor)
         self._pivot: np.ndarray | None = None
         self._picked: tuple = (None, None)
 
@@ -58,7 +61,8 @@ class Pointer:
         self.button = pressed[0]
         alt = io.key_alt
         if self.button == LEFT:
-            self.mode = "sun" if imgui.is_key_down(imgui.Key.l) else "orbit" if alt else "stroke"
+            work = "stroke" if self.editor.session.tool == BRUSH else "object"
+            self.mode = "sun" if imgui.is_key_down(imgui.Key.l) else "orbit" if alt else work
         elif self.button == MIDDLE:
             self.mode = "pan" if io.key_shift or alt else "orbit"
         else:
@@ -66,12 +70,16 @@ class Pointer:
         session = self.editor.session
         if self.mode == "stroke":
             self._begin_stroke(io)
+        elif self.mode == "object":
+            self.mode = "object" if self.grip.press(where, size, io.key_ctrl, io.key_shift) else "dead"
         else:
             self._pivot = control.pivot_ahead(session.level, session.camera, session.cursor)
 
     def _release(self) -> None:
         if self.mode == "stroke":
             self.editor.attempt(self.editor.session.stroke_end)
+        elif self.mode == "object":
+            self.grip.release()
         elif self.mode == "sun":
             self.editor.session.seal()
         self.mode = ""
@@ -104,6 +112,9 @@ class Pointer:
     def _drag(self, io, where, size) -> None:
         if self.mode == "stroke":
             self._move_stroke()
+            return
+        if self.mode == "object":
+            self.mode = "object" if self.grip.drag(where, size) else "dead"
             return
         delta = io.mouse_delta
         if self.mode == "sun":

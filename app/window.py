@@ -23,7 +23,7 @@ from .dialogs import Dialogs
 from .editor import Editor
 from .guard import Guard
 from .palette import Palette
-from .panels import brush_bar, history_panel, layers_panel, log_panel, settings_panel, views_panel
+from .panels import brush_bar, history_panel, layers_panel, log_panel, objects_panel, settings_panel, views_panel
 from .panels.waves_panel import WavesPanel
 from .picture import Picture
 from .preferences import Preferences, load
@@ -117,6 +117,7 @@ class Window:
             "Brushes": lambda: brush_bar.draw(editor),
             "Brush": lambda: brush_bar.draw_parameters(editor),
             "Settings": lambda: settings_panel.draw(editor),
+            "Objects": lambda: objects_panel.draw(editor),
             "Layers": lambda: layers_panel.draw(editor, self.picture.gpu_bytes() if self.picture else {}),
             "History": lambda: history_panel.draw(editor),
             "Views": lambda: views_panel.draw(editor),

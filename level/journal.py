@@ -147,11 +147,17 @@ class Journal:
             step.atoms.append(Value(self.level.settings))
             self.level.set_settings(settings)
 
-    def put(self, name: str, thing: object | None) -> None:
-        """Place, change or remove an object as a step."""
-        with self.step(f"{'Remove' if thing is None else 'Place'} {name}") as step:
-            step.atoms.append(Thing(name, self.level.objects.get(name)))
-            self.level.put_object(name, thing)
+    def put(self, name: str, thing: object | None, merge: bool = False) -> None:
+        """Place, change or remove an object as a step; `merge` joins it to a running drag of the same object."""
+        label = f"{'Remove' if thing is None else 'Place'} {name}"
+        self.put_all(label, {name: thing}, f"object {name}" if merge else "")
+
+    def put_all(self, label: str, things: dict[str, object | None], merge_key: str = "") -> None:
+        """Place, change or (None) remove objects by id as one step."""
+        with self.step(label, merge_key) as step:
+            for name, thing in things.items():
+                step.atoms.append(Thing(name, self.level.objects.get(name)))
+                self.level.put_object(name, thing)
 
     def whole(self, step: Step) -> None:
         """Keep the whole grid in an open step, before an import, resize or crop."""

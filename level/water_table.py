@@ -17,6 +17,7 @@ from .water_optics import absorption, backscatter
 
 LENGTH_M = 200.0  # hardly any light is left beyond
 TEXELS = 1024
+NEAR = 0.004  # how far a table of the optics may be from their closed form
 
 
 def table_in_use(level: Level) -> WaterTable | None:
@@ -44,10 +45,24 @@ def water_table(table: WaterTable) -> np.ndarray:
 
 
 def optics_table(name: str, water: Water) -> WaterTable:
-    """A table of what the section `water` says, to start from: stops close together where the colour turns fastest."""
+    """A table of what the section `water` says, to start from, with as few stops as look the same."""
     lost = 2 * (absorption(water) + backscatter(water))
     deep = 0.33 * backscatter(water) / (absorption(water) + backscatter(water))  # Gordon 1975, as lib/water.glsl has it
-    metres = np.concatenate([[0.0], np.geomspace(0.1, LENGTH_M, 63)])
+    metres = np.concatenate([[0.0], np.geomspace(0.02, LENGTH_M, 255)])
     left = np.exp(-metres[:, None] * lost)
-    stops = np.concatenate([metres[:, None], left, deep * (1 - left)], axis=1)
-    return WaterTable(id=name, stops=tuple(tuple(float(v) for v in row) for row in stops))
+    rows = np.concatenate([metres[:, None], left, deep * (1 - left)], axis=1)
+    return WaterTable(id=name, stops=tuple(tuple(float(v) for v in rows[n]) for n in _enough(rows)))
+
+
+def _enough(rows: np.ndarray) -> list[int]:
+    """Numbers of the rows `(n, 7)` that say all the others to NEAR, found by adding the one that is farthest off."""
+    kept = [0, len(rows) - 1]
+    scale = np.array([1.0] * 3 + [max(row, 1e-4) for row in rows[-1, 4:]])
+    while len(kept) < len(rows):
+        metres = rows[kept, 0]
+        said = np.stack([np.interp(rows[:, 0], metres, rows[kept, i]) for i in range(1, 7)], axis=1)
+        off = (np.abs(said - rows[:, 1:]) / scale).max(axis=1)
+        if off.max() < NEAR:
+            break
+        kept = sorted([*kept, int(off.argmax())])
+    return kept

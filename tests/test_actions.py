@@ -32,7 +32,7 @@ def test_every_row_runs(session, name):
         action.run(session)
     assert broken(session) == []
     assert action.title
-    assert action.menu in ("", "File", "Edit", "Time", "View", "Brush", "Place", "Light")
+    assert action.menu in ("", "File", "Edit", "Time", "View", "Brush", "Place", "Light", "In the middle")
 
 
 @pytest.mark.parametrize(("keys", "name"), PROMISED.items())
@@ -51,7 +51,9 @@ def test_number_keys_pick_the_brushes(session):
 def test_no_key_has_two_meanings():
     keys = [key for row in ACTIONS.values() for key in row.keys]
     assert len(keys) == len(set(keys))
-    assert all(re.fullmatch(r"((Ctrl|Shift|Alt)\+)*(Space|Escape|F\d+|[A-Z0-9]|[\[\]{}.,])", key) for key in keys)
+    assert all(
+        re.fullmatch(r"((Ctrl|Shift|Alt)\+)*(Space|Escape|Delete|F\d+|[A-Z0-9]|[\[\]{}.,])", key) for key in keys
+    )
 
 
 def test_pause_steps_and_time(session):

@@ -152,6 +152,25 @@ def test_environments_by_button_and_menu(drive):
     assert found["samples"] == 16  # L04: a picture that stands still gathers samples
 
 
+def test_objects_are_dropped_dragged_renamed_and_deleted(drive):
+    """D01, H15: a click drops, a drag is one step, the panel renames, a gradient's stop follows the mouse."""
+    found = drive("objects")
+    assert found["bad"] == []
+    assert found["dropped"] == "lamp-1"
+    assert found["tool"] == "lamp"
+    assert found["steps"] == ["Place lamp-1"]
+    assert abs(found["moved"]) > 1.0
+    assert found["steps_moved"] == 2
+    assert found["back"]
+    assert found["renamed"]
+    assert found["in_use"]
+    assert found["stop"][0] != found["stop"][1]
+    assert found["stop_steps"] == 1
+    assert found["deleted"]
+    assert found["tool_at_last"] == "brush"
+    assert found["same_ground"]
+
+
 def test_waves_panel_cuts_through_the_pointer(drive):
     """D03, H28: A, B and A − B at this moment along a cut, without a fault in the log."""
     found = drive("waves")

@@ -14,7 +14,8 @@ import numpy as np
 from imgui_bundle import hello_imgui, imgui
 from shorewright.app import picture as picture_module
 from shorewright.app import window as editor_window
-from shorewright.app.panels import history_panel
+from shorewright.app.object_markers import shown
+from shorewright.app.panels import gradient, history_panel
 from shorewright.app.preferences import Preferences
 from shorewright.app.session import Session
 from shorewright.io.images import write_image
@@ -283,6 +284,69 @@ def files(hands: Hands) -> None:
     ctx.yield_(6)
     hands.note(reopened=str(hands.session.path), closed=not hands.window.dialogs.open, original=hands.height())
     hands.note(picture=hands.window.picture.failure, recent=hands.editor.preferences.recent)
+
+
+def objects(hands: Hands) -> None:
+    """Drop a lamp by a click, drag it, undo; rename, add and delete in the panel; turn a stop of a water table."""
+    ctx, session = hands.ctx, hands.session
+    hands.key(imgui.Key.space)
+    start = hands.height()
+    ctx.menu_click("//##MainMenuBar/Place/Drop: lamp")
+    hands.drag((0.5, 0.55))
+    lamp = session.level.objects[session.selected]
+    hands.note(dropped=lamp.id, tool=session.tool, steps=[s.label for s in session.journal.done])
+    hands.key(imgui.Key.v)
+    size = hands.window.viewport.size
+    at = {marker.id: pixel for marker, pixel in shown(session.level, session.camera, size)}[lamp.id]
+    parts = tuple(at / np.array(size))
+    hands.drag(parts, (parts[0] + 0.1, parts[1]), (parts[0] + 0.2, parts[1] + 0.02))
+    moved = session.level.objects[lamp.id]
+    hands.note(moved=moved.x - lamp.x, steps_moved=len(session.journal.done))
+    hands.key(CTRL, imgui.Key.z)
+    hands.note(back=session.level.objects[lamp.id] == lamp)
+    ctx.window_focus("//Objects")
+    ctx.yield_(2)
+    ctx.item_input_value("//Objects/###object_filter", "lamp")
+    ctx.yield_(3)
+    ctx.item_click(f"//Objects/**/###object_{lamp.id}")
+    ctx.item_input_value("//Objects/###object_filter", "")
+    ctx.yield_(3)
+    ctx.item_input_value("//Objects/**/###object_name", "pier")
+    ctx.yield_(3)
+    hands.note(renamed="pier" in session.level.objects and session.selected == "pier")
+    hands.key(CTRL, imgui.Key.p)
+    ctx.key_chars("water table")
+    hands.key(imgui.Key.enter)
+    ctx.yield_(4)
+    table = session.level.objects[session.selected]
+    item = ctx.item_info("//Objects/**/###gradient")
+    box = item.rect_full
+    x = box.min.x + (box.max.x - box.min.x) * gradient.to_axis(table.stops[5][0])
+    y = box.min.y + gradient.STRIP_PX + gradient.HANDLE_PX / 2
+    steps = len(session.journal.done)
+    ctx.mouse_move_to_pos((x, y))
+    ctx.mouse_down(LEFT)
+    for way in (1, 2, 3):
+        ctx.mouse_move_to_pos((x + way, y))
+        ctx.yield_(2)
+    ctx.mouse_up(LEFT)
+    ctx.yield_(3)
+    now = session.level.objects[table.id]
+    hands.note(stop=[table.stops[5][0], now.stops[5][0]], stop_steps=len(session.journal.done) - steps)
+    hands.note(in_use=session.level.settings.water.table == table.id)
+    ctx.item_input_value("//Objects/###object_filter", "pier")
+    ctx.yield_(3)
+    ctx.item_click("//Objects/**/###object_pier")
+    ctx.yield_(3)
+    hands.note(chosen=session.selected, typing=imgui.get_io().want_text_input)
+    hands.key(imgui.Key.delete)
+    ctx.yield_(3)
+    hands.note(deleted="pier" not in session.level.objects)
+    hands.key(imgui.Key.escape)
+    hands.key(imgui.Key.escape)
+    hands.note(tool_at_last=session.tool, same_ground=hands.height() == start)
+    hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
+    hands.settle()
 
 
 def portrait(hands: Hands) -> None:

@@ -8,6 +8,7 @@ from ...brushes import BRUSHES
 from ...level.params import describe
 from .. import param_widgets, theme
 from ..editor import Editor
+from ..tools import BRUSH, SELECT, TOOLS, pick_tool
 
 TILE_PX = 56
 # Profiles of the ground in a unit square, y up: what each brush makes of it. A brush without one shows a circle.
@@ -33,11 +34,34 @@ def draw(editor: Editor) -> None:
         if number % columns:
             imgui.same_line(0, 4)
         _tile(editor, name)
+    if len(BRUSHES) % columns:
+        imgui.same_line(0, 4)
+    _select(editor)
+
+
+def _select(editor: Editor) -> None:
+    """A tile that is no brush: objects."""
+    row, session = TOOLS[SELECT], editor.session
+    corner = imgui.get_cursor_screen_pos()
+    width = min(imgui.get_content_region_avail().x, TILE_PX)
+    chosen = session.tool != BRUSH
+    if chosen:
+        imgui.push_style_color(imgui.Col_.button, theme.colour(theme.ACCENT_DEEP))
+    if imgui.button("###select_tool", imgui.ImVec2(width, TILE_PX)):
+        pick_tool(session, BRUSH if chosen else SELECT)
+    if chosen:
+        imgui.pop_style_color()
+    param_widgets.tooltip(f"Objects   key {row.keys[0]}\n{row.doc}")
+    ink, draw_list = theme.INK if chosen else theme.INK_FAINT, imgui.get_window_draw_list()
+    for text, down in ((theme.icon(row.glyph), TILE_PX * 0.28), ("Objects", TILE_PX - imgui.get_font_size() - 4)):
+        size = imgui.calc_text_size(text)
+        draw_list.add_text(imgui.ImVec2(corner.x + (width - size.x) / 2, corner.y + down), theme.packed(ink), text)
+    draw_list.add_text(imgui.ImVec2(corner.x + 5, corner.y + 3), theme.packed(theme.INK, 0.35), row.keys[0])
 
 
 def _tile(editor: Editor, name: str) -> None:
     session, brush = editor.session, BRUSHES[name]
-    chosen = session.brush == name
+    chosen = session.brush == name and session.tool == BRUSH
     corner = imgui.get_cursor_screen_pos()
     width = min(imgui.get_content_region_avail().x, TILE_PX)
     if chosen:
@@ -70,18 +94,37 @@ def _profile(name: str, corner, width: float, ink: tuple) -> None:
 
 
 def draw_parameters(editor: Editor) -> None:
-    """A widget for every parameter of the brush in hand."""
+    """A widget for every parameter of the brush in hand; for another tool what it does."""
     session = editor.session
+    if session.tool != BRUSH:
+        _told(TOOLS[session.tool].title, TOOLS[session.tool].doc)
+        if session.tool == "prop":
+            _meshes(editor)
+        return
     brush, params = BRUSHES[session.brush], session.params[session.brush]
-    with theme.bold():
-        imgui.text_unformatted(brush.label)
-    imgui.push_style_color(imgui.Col_.text, theme.colour(theme.INK_FAINT))
-    imgui.text_wrapped(brush.doc)
-    imgui.pop_style_color()
-    imgui.spacing()
+    _told(brush.label, brush.doc)
     param_widgets.draw_all(
         describe(type(params)),
         lambda name: getattr(params, name),
         lambda name, value, merge: editor.attempt(session.set_param, name, value),
         lambda: None,
     )
+
+
+def _told(title: str, doc: str) -> None:
+    with theme.bold():
+        imgui.text_unformatted(title)
+    imgui.push_style_color(imgui.Col_.text, theme.colour(theme.INK_FAINT))
+    imgui.text_wrapped(doc)
+    imgui.pop_style_color()
+    imgui.spacing()
+
+
+def _meshes(editor: Editor) -> None:
+    """Which mesh the next prop shows."""
+    session = editor.session
+    for name in session.level.meshes:
+        if imgui.radio_button(f"{name}###mesh_{name}", name == (session.mesh or next(reversed(session.level.meshes)))):
+            session.mesh = name
+    if imgui.button(theme.titled("folder_open", "From a file…", "mesh_file")):
+        session.ask("prop")

@@ -15,10 +15,10 @@ from ..editor import Editor
 
 OPEN = ("shore", "sea")
 # what is turned most comes first
-ORDER = ("shore", "sea", "water", "foam", "flow", "force", "caustics", "glare", "quiet", "light", "fog", "ground",
-         "wet", "scatter", "walk", "time", "level")  # fmt: skip
+ORDER = ("shore", "sea", "water", "foam", "flow", "force", "caustics", "glare", "quiet", "things", "light", "fog",
+         "ground", "wet", "scatter", "walk", "time", "level")  # fmt: skip
 TITLES = {"sea": "Open sea", "shore": "Shore waves", "water": "Water colour", "fog": "Haze", "wet": "Wet shore",
-          "glare": "Highlight", "quiet": "Quiet area", "force": "Pushed water",
+          "glare": "Highlight", "quiet": "Quiet area", "things": "Props and rings", "force": "Pushed water",
           "walk": "Walkable", "level": "Sea level and seed"}  # fmt: skip
 _filter = {"text": ""}
 

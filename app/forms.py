@@ -1,0 +1,37 @@
+"""FORMS: what answers each request for a dialog; here also the one that takes in a mesh."""
+
+from __future__ import annotations
+
+from imgui_bundle import imgui
+
+from . import placing, theme
+from .editor import Editor
+from .file_forms import ExportForm, Form, ImportForm, NewForm, OpenForm, PathField, SaveAsForm
+
+
+class PropForm(Form):
+    title, confirm = "Prop from a file", "Place it"
+
+    def __init__(self, editor: Editor) -> None:
+        super().__init__(editor)
+        self.field = PathField("open", "Mesh")
+        self.up = 0
+
+    def draw(self) -> None:
+        faint = theme.colour(theme.INK_FAINT)
+        imgui.text_colored(faint, "The level keeps a copy; over water it floats. Clicks drop further ones.")
+        self.field.draw("mesh.glb, .obj, .ply or .stl", focus=True)
+        imgui.set_next_item_width(160)
+        _, self.up = imgui.combo("Up in the file", self.up, ["as the format has it", "y", "z"])
+
+    def run(self) -> None:
+        session = self.editor.session
+        session.mesh = session.import_mesh(self.field.path, ("", "y", "z")[self.up] or None)
+        placing.put(session, "prop")
+        session.tool = "prop"
+
+
+FORMS: dict[str, type[Form]] = {
+    "new": NewForm, "open": OpenForm, "save_as": SaveAsForm, "import": ImportForm, "export": ExportForm,
+    "prop": PropForm,
+}  # fmt: skip

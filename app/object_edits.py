@@ -1,0 +1,77 @@
+"""Objects placed, changed, renamed and removed, each an undoable step (part of the session)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from pydantic import ValidationError
+
+from ..level import BadInput
+from ..level.objects import OBJECT, OBJECT_KINDS, Placed
+from ..level.params import replace, sentence
+from . import script as words
+from .prop_edits import Props
+
+
+class Objects(Props):
+    """`tool` is what a click in the viewport does (tools.py), `selected` the object in hand."""
+
+    tool: str = "brush"
+    selected: str = ""  # an id, "" for none; it may be gone by now
+    mesh: str = ""  # that of new props, a name among the level's meshes; "" for the last one
+
+    def place(self, thing: Any, merge: bool = False) -> None:
+        """Place an object (model or dict), or put it where the one with its id was; BadInput says what is wrong.
+
+        `merge` joins the steps of a drag until `seal`.
+        """
+        try:
+            thing = OBJECT.validate_python(thing)
+        except ValidationError as error:
+            kinds = ", ".join(OBJECT_KINDS)
+            kind = thing.get("kind") if isinstance(thing, dict) else None
+            told = sentence(error, "object") if kind in OBJECT_KINDS else f"an object's kind is one of {kinds}"
+            raise BadInput(told) from None
+        if merge and self.level.objects.get(thing.id) == thing:
+            return
+        self._end_stroke()
+        with self._edit(words.Place(object=thing), merge):
+            self.journal.put(thing.id, thing, merge)
+
+    def alter(self, name: str, values: dict[str, Any], merge: bool = False) -> None:
+        """Change fields of an object, checked; `merge` as in `place`; BadInput out of range."""
+        thing = self.object(name)
+        for field, value in values.items():
+            thing = replace(thing, field, value)
+        self.place(thing, merge)
+
+    def remove(self, name: str) -> None:
+        """Remove an object; BadInput when there is none of that id."""
+        self.object(name)
+        self._end_stroke()
+        with self._edit(words.Remove(id=name)):
+            self.journal.put(name, None)
+
+    def rename(self, name: str, to: str) -> None:
+        """Give an object another id, as one step; BadInput when that is taken or no id."""
+        thing = self.object(name)
+        if to == name:
+            return
+        if to in self.level.objects:
+            raise BadInput(f"this level has an object {to!r} already")
+        renamed = replace(thing, "id", to)
+        self._end_stroke()
+        with self._edit(words.Rename(id=name, to=to)):
+            self.journal.put_all(f"Rename {name}", {name: None, to: renamed})
+        if self.selected == name:
+            self.selected = to
+        # a table that is in use stays so
+        if thing.kind == "water_table" and self.level.settings.water.table == name:
+            self.set("water.table", to)
+
+    def object(self, name: str) -> Placed:
+        """An object by its id; BadInput lists those there are."""
+        if name not in self.level.objects:
+            known = ", ".join(sorted(self.level.objects)) or "none"
+            raise BadInput(f"this level has no object {name!r}; it has: {known}")
+        return self.level.objects[name]

@@ -1,0 +1,95 @@
+"""An object held by the pointer: dropped or picked up, moved over ground and sea, turned, raised; one undo step."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from ..level.objects import Placed
+from ..renderer.camera import camera_matrices
+from . import placing
+from .camera_control import place
+from .editor import Editor
+from .object_markers import at_pixel
+from .tools import SELECT
+
+HELD_PX = 3.0  # a hand is never quite still: a shorter way is a click
+TURN_DEG_PER_PX = 0.5
+
+
+class Grip:
+    """What the left button does while an object tool is in hand."""
+
+    def __init__(self, editor: Editor) -> None:
+        self.editor = editor
+        self._thing: Placed | None = None
+        self._how = ""
+        self._pressed = (0.0, 0.0)
+        self._from: tuple[float, float, float] | None = None
+        self._moving = False
+
+    def press(self, where, size, turn: bool, lift: bool) -> bool:
+        """Take what is under the pointer, or drop what the tool drops; False where there is nothing to hold."""
+        session = self.editor.session
+        self._pressed, self._moving, self._how = where, False, "turn" if turn else "lift" if lift else "move"
+        self._from = self.surface(where, size)
+        if session.tool == SELECT:
+            session.selected = at_pixel(session.level, session.camera, size, where)
+        else:
+            self._how = "move"
+            if self._from is None:
+                return False
+            self.editor.attempt(placing.put, session, session.tool, self._from, True)
+        self._thing = session.level.objects.get(session.selected)
+        return self._thing is not None
+
+    def drag(self, where, size) -> bool:
+        """Follow the pointer; False when the object is gone or let go."""
+        session, thing = self.editor.session, self._thing
+        if thing is None or session.selected != thing.id or thing.id not in session.level.objects:
+            return False
+        way = where[0] - self._pressed[0], where[1] - self._pressed[1]
+        self._moving = self._moving or np.hypot(*way) > HELD_PX
+        if not self._moving:
+            return True
+        values = {"turn": self._turned, "lift": self._lifted, "move": self._moved}[self._how](thing, way, where, size)
+        if values:
+            self.editor.attempt(session.alter, thing.id, values, True)
+        return True
+
+    def release(self) -> None:
+        self.editor.session.seal()
+        self._thing = None
+
+    def surface(self, where, size) -> tuple[float, float, float] | None:
+        """Ground or sea under a pixel."""
+        session = self.editor.session
+        matrices = camera_matrices(session.camera, size)
+        return placing.meets_surface(session.level, matrices.position, matrices.ray(*where, size))
+
+    # What a way of the pointer means
+
+    def _moved(self, thing: Placed, way, where, size) -> dict:
+        """Over the surface as the pointer goes, as high above it as it was."""
+        now = self.surface(where, size)
+        if now is None or self._from is None:
+            return {}
+        level = self.editor.session.level
+        values = {"x": round(thing.x + now[0] - self._from[0], 2), "y": round(thing.y + now[1] - self._from[1], 2)}
+        if hasattr(thing, "z") and thing.kind != "camera":
+            rise = placing.surface_m(level, values["x"], values["y"]) - placing.surface_m(level, thing.x, thing.y)
+            values["z"] = round(thing.z + rise, 3)
+        return values
+
+    def _turned(self, thing: Placed, way, where, size) -> dict:
+        if not hasattr(thing, "yaw_deg"):
+            return {}
+        return {"yaw_deg": round(placing.turned(thing.yaw_deg, TURN_DEG_PER_PX * way[0]), 1)}
+
+    def _lifted(self, thing: Placed, way, where, size) -> dict:
+        """Up and down by as much as the pointer goes at the object's distance."""
+        if not hasattr(thing, "z"):
+            return {}
+        camera = self.editor.session.camera
+        away = float(np.linalg.norm(place(camera) - (thing.x, thing.y, thing.z)))
+        pixel_m = 2 * away * np.tan(np.radians(camera.fov_deg) / 2) / size[1]
+        return {"z": round(thing.z - way[1] * pixel_m, 3)}
