@@ -15,7 +15,7 @@ from typing import Any
 from ..level import BadInput
 from ..level.objects import Camera
 from ..level.sun import light_angles
-from ..renderer.show import Overlays
+from ..renderer.show import Inset, Overlays
 from .actions import ACTIONS, Action
 from .camera_control import between
 from .messages import Messages
@@ -26,6 +26,7 @@ from .session import Session
 log = logging.getLogger(__name__)
 GLIDE_S = 0.28
 SUN_DEG_PER_PX = 0.3
+FORCE_INSET = Inset("force", heading=True)
 OVERLAYS = ("walkable", "outline", "centre")
 QUALITIES = ("low", "medium", "high")
 TOLD = {"undo": "Undone: {}", "redo": "Redone: {}"}
@@ -59,6 +60,7 @@ class Editor:
         self.walkable = False  # overlays (D31, D40)
         self.outline = False
         self.centre = False
+        self.insets: tuple[Inset, ...] = ()  # T12
         self.typing = False  # a text field has the keyboard
         self.flying = False  # the right button is held: letters steer
         self.shall_exit = False
@@ -143,7 +145,10 @@ class Editor:
             self._request(self.session.requests.popleft())
 
     def _request(self, request: str) -> None:
-        if request in OVERLAYS:
+        if request == "force_inset":
+            others = tuple(inset for inset in self.insets if inset != FORCE_INSET)
+            self.insets = others if others != self.insets else (*others, FORCE_INSET)
+        elif request in OVERLAYS:
             setattr(self, request, not getattr(self, request))
         else:
             self.asked.append(request)
@@ -171,7 +176,7 @@ class Editor:
 
     @property
     def overlays(self) -> Overlays:
-        return Overlays(walkable=self.walkable, outline=self.outline, centre=self.centre)
+        return Overlays(walkable=self.walkable, outline=self.outline, centre=self.centre, insets=self.insets)
 
     @property
     def live(self) -> bool:

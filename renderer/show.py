@@ -92,6 +92,47 @@ class Ring:
     falloff: float = 0.5
 
 
+CORNERS = ("upper-left", "upper-right", "lower-left", "lower-right")
+
+
+@dataclass(frozen=True)
+class Inset:
+    """A view in a corner (T12): `size` of the picture's height; maps are turned clockwise, or so that ahead is up.
+
+    A map shows the level, with `extent_m` so much about the camera; what is no map is shown as it is on the screen.
+    """
+
+    view: str = "force"
+    corner: str = "upper-left"
+    size: float = 0.25
+    turn_deg: float = 0.0
+    heading: bool = False
+    extent_m: float = 0.0
+
+    @classmethod
+    def parse(cls, text: str) -> Inset:
+        """From `VIEW[:CORNER[:SIZE[:TURN[:METRES]]]]`, TURN degrees or `heading`; BadInput says what is wrong."""
+        from .views import find_view
+
+        view, corner, size, turn, extent = (*text.split(":"), *[""] * 5)[:5]
+        if not find_view(view).inset:
+            raise BadInput(f"{view} draws the scene in its own way, so it cannot be an inset")
+        corner = corner or "upper-left"
+        if corner not in CORNERS or text.count(":") > 4:
+            raise BadInput(
+                f"{text!r} is no inset: it is VIEW:CORNER:SIZE:TURN:METRES, CORNER one of {', '.join(CORNERS)}"
+            )
+        heading = turn == "heading"
+        numbers = (size or "0.25", "0" if heading else turn or "0", extent or "0")
+        try:
+            size_part, turn_deg, extent_m = (float(number) for number in numbers)
+        except ValueError:
+            raise BadInput(f"{text!r} is no inset: size, turn and metres are numbers, turn may be heading") from None
+        if not (0.05 <= size_part <= 1 and -360 <= turn_deg <= 360 and 0 <= extent_m <= 1e6):
+            raise BadInput(f"{text!r} is no inset: size is 0.05 to 1, turn −360 to 360, metres 0 to 1,000,000")
+        return cls(view, corner, size_part, turn_deg, heading, extent_m)
+
+
 @dataclass(frozen=True)
 class Overlays:
     """What is laid over the finished picture."""
@@ -101,3 +142,4 @@ class Overlays:
     outline: bool = False  # the border of the level
     centre: bool = False  # D40: a cross at the centre of the screen
     lines: tuple[tuple[tuple[float, float, float], ...], ...] = ()  # world polylines, such as the ramp's preview
+    insets: tuple[Inset, ...] = ()  # T12

@@ -9,11 +9,17 @@ below zero and red above, `normal`, `metres` bands of xyz. EXR output holds the 
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 
 from ..level import LAYERS, BadInput, Settings
 from ..level.params import replace
 
+# what only a pixel of the screen knows of
+_OF_PIXELS = re.compile(
+    r"\bs\.(?!before|material|eye_depth)|\b(lit|under|ray|pixel|plate|gl_FragCoord|sun_glint|crest_light)\b"
+)
+_OWN_SCENE = ("scatter", "props", "ground", "triangle_area")  # passes write something else for these
 RAMPS = ("light", "colour", "direct", "grey", "signed", "normal", "metres")
 
 
@@ -30,6 +36,16 @@ class View:
     layer: str = ""  # the painted layer the value reads as `painted`
     scene: str = ""  # "white": all albedo 1; "lookdev": balls and a card before the camera
     settings: tuple[tuple[str, object], ...] = ()  # what it changes of the level's settings
+
+    @property
+    def mapped(self) -> bool:
+        """Whether it says something of places in the world alone, so that it can be drawn from above."""
+        return bool(self.value) and not _OF_PIXELS.search(self.value)
+
+    @property
+    def inset(self) -> bool:
+        """Whether it can be an inset: not where the scene itself is drawn differently for it."""
+        return bool(self.value) and not self.scene and not self.settings and self.name not in _OWN_SCENE
 
     def changed(self, settings: Settings) -> Settings:
         """A level's settings as the view shows them."""

@@ -35,6 +35,9 @@ def render(
     ] = None,
     frames: Annotated[int | None, Parameter(help="How many numbered pictures, NAME_0001.png and on.")] = None,
     fps: Annotated[float, Parameter(allow_leading_hyphen=True, help="Pictures a second of level time.")] = 30.0,
+    inset: Annotated[
+        list[str] | None, Parameter(negative="", help="VIEW:CORNER:SIZE:TURN:METRES, a view in a corner; may repeat.")
+    ] = None,
     memory: Annotated[bool, Parameter(negative="", help="Also list what it took of the GPU, by target.")] = False,
 ) -> int:
     """Draw a level into a PNG or EXR.
@@ -49,6 +52,8 @@ def render(
     writable_parent(output)
     found = _level(level, environment, assignments)
     options |= look(view, hide)
+    if inset:
+        options["overlays"] = _insets(inset)
     other = compared(found, against, hide) if against else None
     _draw(found, _camera(found, camera), output, times, frames is not None, options, other)
     if memory:
@@ -95,6 +100,12 @@ def _camera(level, text: str):
     if text == "play" and "play" not in level.objects:
         return cameras(level)[0]
     return level.camera(text)
+
+
+def _insets(texts: list[str]):
+    from ...renderer.show import Inset, Overlays
+
+    return Overlays(insets=tuple(Inset.parse(text) for text in texts))
 
 
 def look(view: str, hide: list[str] | None) -> dict:

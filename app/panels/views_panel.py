@@ -11,6 +11,7 @@ from ...renderer import SHOW_FLAGS, VIEWS
 from .. import theme
 from ..editor import Editor
 from ..param_widgets import tooltip
+from . import insets_panel
 
 _filter = {"text": "", "camera": ""}
 
@@ -21,6 +22,8 @@ def draw(editor: Editor) -> None:
         _flags(editor)
     if imgui.collapsing_header("Cameras", imgui.TreeNodeFlags_.default_open):
         cameras(editor)
+    if imgui.collapsing_header("Insets"):
+        insets_panel.draw(editor)
     if imgui.collapsing_header("Views", imgui.TreeNodeFlags_.default_open):
         imgui.set_next_item_width(-imgui.FLT_MIN)
         _, _filter["text"] = imgui.input_text_with_hint("###view_filter", "Find a view", _filter["text"])

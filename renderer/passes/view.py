@@ -4,13 +4,21 @@ from __future__ import annotations
 
 from ..frame import Frame
 from ..uniforms import shore_field_uniforms
+from ..views import View
 from .sea import bind_water, extent_uniforms, sea_extent
 
 
 def draw(frame: Frame) -> None:
-    view, uploader = frame.view, frame.renderer.uploader
-    if not view.value:
+    if not frame.view.value:
         return
+    defines = bind_view(frame, frame.view)
+    frame.targets.picture.use()
+    frame.shader("view.glsl", **defines).fullscreen()
+
+
+def bind_view(frame: Frame, view: View) -> dict[str, str]:
+    """What a view's expression reads, bound; returns the defines that it is compiled with."""
+    uploader = frame.renderer.uploader
     defines = {"VIEW_VALUE": view.value}
     if view.layer:
         defines["LAYER"] = ""
@@ -28,5 +36,4 @@ def draw(frame: Frame) -> None:
         frame.textures["u_patch_kinds"], frame.uniforms["u_patch_first"] = uploader.patch_kinds(frame.level)
         frame.uniforms |= extent_uniforms(frame, sea_extent(frame))
     bind_water(frame)
-    frame.targets.picture.use()
-    frame.shader("view.glsl", **defines).fullscreen()
+    return defines

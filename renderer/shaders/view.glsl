@@ -16,6 +16,9 @@ void main() { fullscreen_triangle(); }
 #include "lib/layer.glsl"
 #include "lib/sea_below.glsl"
 #include "lib/plate.glsl"
+#ifdef INSET
+#include "lib/inset.glsl"
+#endif
 #include "lib/reflections.glsl"
 uniform sampler2D u_layer_foam;
 uniform sampler2D hdr;
@@ -91,17 +94,33 @@ vec3 ripple_normal(Surface s, vec3 relative) {
 }
 
 void main() {
+#ifdef INSET
+    ivec2 pixel = ivec2(inset_part() * vec2(textureSize(g_eye_depth, 0)));
+    vec2 clip = inset_part() * 2.0 - 1.0;
+    vec3 ray = u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y;
+#else
     ivec2 pixel = ivec2(gl_FragCoord.xy);
-    Surface s = read_gbuffer(pixel);
     vec3 ray = pixel_ray();
+#endif
+#ifdef INSET_MAP
+    Bed under_it = bed_at(inset_world());
+    Surface s = inset_surface(inset_world(), under_it.sea.x > 0.5 && under_it.depth.x > 0.0, u_inset_map.w);
+    vec3 position = vec3(inset_world(), u_still_m + max(-under_it.depth.x, 0.0));
+#else
+    Surface s = read_gbuffer(pixel);
     vec3 position = u_camera + ray * s.eye_depth;
+#endif
     float on_sea = float(s.material == SEA), on_land = float(s.material == LAND);
     Sea sea = sea_surface(s.before);
     Bed bed = bed_at(position.xy);
     vec3 ground = ground_sample(position.xy);
     vec3 lit = texelFetch(hdr, pixel, 0).rgb;
     vec3 under = pow(texelFetch(under_albedo, pixel, 0).rgb, vec3(2.0));
+#ifdef INSET_MAP
+    vec2 below = position.xy;
+#else
     vec2 below = u_camera.xy + ray.xy * texelFetch(under_eye_depth, pixel, 0).r;
+#endif
 #ifdef LAYER
     vec4 painted = texture(u_layer, (below / u_layer_cell_m + 0.5) / vec2(textureSize(u_layer, 0)));
 #endif
@@ -114,6 +133,11 @@ void main() {
     vec4 shore_field = shore_field_at(position.xy);
 #endif
     vec3 value = VIEW_VALUE;
-    out_value = vec4(s.material == NOTHING ? vec3(0.0) : value, 1.0);
+    value = s.material == NOTHING ? vec3(0.0) : value;
+#ifdef INSET
+    out_value = inset_colour(value);
+#else
+    out_value = vec4(value, 1.0);
+#endif
 }
 #endif

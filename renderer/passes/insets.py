@@ -1,0 +1,68 @@
+"""Views as small pictures in the corners of the finished one (T12): maps turned as wanted, buffers as they are."""
+
+from __future__ import annotations
+
+import math
+
+from ...level.force import SIDE
+from ..frame import Frame
+from ..show import Inset
+from ..views import RAMPS, View, find_view
+from .view import bind_view
+
+MARGIN = 0.02  # of the picture's height, between insets and to the border
+
+
+def draw(frame: Frame) -> None:
+    ctx, used = frame.renderer.ctx, {}
+    if not frame.overlays.insets:
+        return
+    frame.targets.display.use()
+    for inset in frame.overlays.insets:
+        view = find_view(inset.view)
+        box = _box(inset, view, frame.full_size, used.get(inset.corner, 0.0))
+        used[inset.corner] = used.get(inset.corner, 0.0) + box[3] + MARGIN * frame.full_size[1]
+        defines = bind_view(frame, view) | {"INSET": ""}
+        if view.mapped:
+            defines["INSET_MAP"] = ""
+            frame.uniforms |= _map(frame, inset, box[2])
+        frame.uniforms["u_inset"] = box
+        shader = frame.shader("view.glsl", **defines)
+        shader.program["u_ramp"].value = RAMPS.index(view.ramp)
+        shader.program["u_range"].value = view.low, view.high
+        frame.targets.display.scissor = tuple(int(v) for v in box)
+        ctx.disable(ctx.BLEND)
+        shader.fullscreen()
+    frame.targets.display.scissor = None
+
+
+def _box(inset: Inset, view: View, size: tuple[int, int], taken: float) -> tuple[float, float, float, float]:
+    """Left, bottom, width, height in pixels; what shares a corner stands one over the other."""
+    width, height = size
+    high = max(round(inset.size * height), 8)
+    wide = high if view.mapped else max(round(high * width / height), 8)
+    margin = round(MARGIN * height)
+    left = margin if inset.corner.endswith("left") else width - wide - margin
+    bottom = margin + taken if inset.corner.startswith("lower") else height - high - margin - taken
+    return float(left), float(round(bottom)), float(wide), float(high)
+
+
+def _map(frame: Frame, inset: Inset, pixels: float) -> dict:
+    """Middle, scale and direction of a map: the pushed water's window, the level, or metres about the camera."""
+    x, y, _ = frame.matrices.position
+    half = inset.extent_m / 2
+    if not half and inset.view.startswith("force"):
+        half = frame.level.settings.force.cell_m * SIDE / 2
+    elif not half:
+        east, north = frame.level.grid.extent_m
+        x, y, half = east / 2, north / 2, max(east, north) / 2
+    yaw = math.radians(frame.camera.yaw_deg)
+    turn = yaw if inset.heading else math.radians(inset.turn_deg)
+    cos, sin = math.cos(turn), math.sin(turn)
+    right, up = (cos, -sin), (sin, cos)
+    ahead = (math.sin(yaw), math.cos(yaw))
+    return {
+        "u_inset_map": (x, y, half, 2 * half / pixels),
+        "u_inset_turn": (*right, *up),
+        "u_inset_ahead": tuple(ahead[0] * way[0] + ahead[1] * way[1] for way in (right, up)),
+    }
