@@ -65,7 +65,6 @@ def test_the_force_field_shows_its_mover(level, renderer):
 def test_every_view_that_can_be_one_draws(level, renderer, name):
     seen = picture(level, renderer, Inset(name, "upper-left", 0.5), size=(64, 36))
     assert (seen[1, 1:19] == 235).all()  # its frame
-    assert (seen[2:18, 2:18] < 235).any() or VIEWS[name].mapped
 
 
 def test_what_is_written_in_words():
