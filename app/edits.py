@@ -202,7 +202,7 @@ class Edits(Objects):
             case words.Steps():
                 self.step_time(action.steps)
             case words.Place():
-                self.place(action.object)
+                self.place(action.object, use=action.use)
             case words.Remove():
                 self.remove(action.id)
             case words.Rename():

@@ -20,10 +20,10 @@ class Objects(Props):
     selected: str = ""  # an id, "" for none; it may be gone by now
     mesh: str = ""  # that of new props, a name among the level's meshes; "" for the last one
 
-    def place(self, thing: Any, merge: bool = False) -> None:
+    def place(self, thing: Any, merge: bool = False, use: bool = False) -> None:
         """Place an object (model or dict), or put it where the one with its id was; BadInput says what is wrong.
 
-        `merge` joins the steps of a drag until `seal`.
+        `merge` joins the steps of a drag until `seal`; `use` makes a water table the one in use, in the same step.
         """
         try:
             thing = OBJECT.validate_python(thing)
@@ -35,8 +35,11 @@ class Objects(Props):
         if merge and self.level.objects.get(thing.id) == thing:
             return
         self._end_stroke()
-        with self._edit(words.Place(object=thing), merge):
-            self.journal.put(thing.id, thing, merge)
+        settings = replace(self.level.settings, "water.table", thing.id) if use else None
+        with self._edit(words.Place(object=thing, use=use), merge):
+            self.journal.put_all(
+                f"Place {thing.id}", {thing.id: thing}, f"object {thing.id}" if merge else "", settings
+            )
 
     def alter(self, name: str, values: dict[str, Any], merge: bool = False) -> None:
         """Change fields of an object, checked; `merge` as in `place`; BadInput out of range."""
@@ -61,13 +64,13 @@ class Objects(Props):
             raise BadInput(f"this level has an object {to!r} already")
         renamed = replace(thing, "id", to)
         self._end_stroke()
+        settings = self.level.settings
+        if settings.water.table == name:  # a table that is in use stays so
+            settings = replace(settings, "water.table", to)
         with self._edit(words.Rename(id=name, to=to)):
-            self.journal.put_all(f"Rename {name}", {name: None, to: renamed})
+            self.journal.put_all(f"Rename {name}", {name: None, to: renamed}, settings=settings)
         if self.selected == name:
             self.selected = to
-        # a table that is in use stays so
-        if thing.kind == "water_table" and self.level.settings.water.table == name:
-            self.set("water.table", to)
 
     def object(self, name: str) -> Placed:
         """An object by its id; BadInput lists those there are."""

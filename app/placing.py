@@ -94,8 +94,7 @@ def put(session: Session, name: str, at: tuple[float, float, float] | None = Non
     x, y, _ = at or looked_at(session)
     thing_id = free_name(session, row.start)
     if name == "water_table":
-        session.place(optics_table(thing_id, session.level.settings.water))
-        session.set("water.table", thing_id)
+        session.place(optics_table(thing_id, session.level.settings.water), use=True)
     elif name == "camera":
         session.place(session.camera.model_copy(update={"id": thing_id}), merge)
     elif name == "prop":

@@ -74,6 +74,7 @@ class Steps(Do):
 class Place(Do):
     do: Literal["place"] = "place"
     object: Object
+    use: bool = False  # a water table: from now on the level's
 
 
 class Remove(Do):

@@ -147,14 +147,18 @@ class Journal:
             step.atoms.append(Value(self.level.settings))
             self.level.set_settings(settings)
 
-    def put(self, name: str, thing: object | None, merge: bool = False) -> None:
-        """Place, change or remove an object as a step; `merge` joins it to a running drag of the same object."""
-        label = f"{'Remove' if thing is None else 'Place'} {name}"
-        self.put_all(label, {name: thing}, f"object {name}" if merge else "")
+    def put(self, name: str, thing: object | None) -> None:
+        """Place, change or remove an object as a step."""
+        self.put_all(f"{'Remove' if thing is None else 'Place'} {name}", {name: thing})
 
-    def put_all(self, label: str, things: dict[str, object | None], merge_key: str = "") -> None:
-        """Place, change or (None) remove objects by id as one step."""
+    def put_all(
+        self, label: str, things: dict[str, object | None], merge_key: str = "", settings: Settings | None = None
+    ) -> None:
+        """Place, change or (None) remove objects by id as one step, with the settings that go with it."""
         with self.step(label, merge_key) as step:
+            if settings is not None and settings != self.level.settings:
+                step.atoms.append(Value(self.level.settings))
+                self.level.set_settings(settings)
             for name, thing in things.items():
                 step.atoms.append(Thing(name, self.level.objects.get(name)))
                 self.level.put_object(name, thing)

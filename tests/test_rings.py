@@ -120,6 +120,8 @@ def test_normals_and_caustics_are_bent_and_no_vertex_moves(renderer):
     plain = calm()
     for things in ((hit(),), (Prop(id="boat", x=66, y=65, floats=True),)):
         level = calm(*things)
+        place = seen(renderer, plain, 3.0, "position")[..., :2]
+        water = np.hypot(place[..., 0] - 66, place[..., 1] - 65) > 2.0  # not the thing itself
         for view, moved in (("normal", True), ("caustics", True), ("position", False), ("before", False)):
-            difference = np.abs(seen(renderer, level, 3.0, view) - seen(renderer, plain, 3.0, view)).max()
+            difference = np.abs(seen(renderer, level, 3.0, view) - seen(renderer, plain, 3.0, view))[water].max()
             assert difference > 0.01 if moved else difference == 0, view

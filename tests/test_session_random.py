@@ -1,5 +1,6 @@
 """Everything a session can do, in random order: undo is the way back, redo the way forth, a script the same again."""
 
+import contextlib
 import tempfile
 from pathlib import Path
 
@@ -12,7 +13,7 @@ from shorewright.app.actions import ACTIONS
 from shorewright.app.invariants import broken
 from shorewright.app.session import Session
 from shorewright.brushes import BRUSHES
-from shorewright.level import Settings
+from shorewright.level import BadInput, Settings
 from shorewright.level.params import describe
 
 ROWS = {row.name: row for row in describe(Settings)}
@@ -32,6 +33,8 @@ def value_of(row, share):
             return row.choices[int(share * 0.999 * len(row.choices))]
         case "int":
             return int(row.low + share * (row.high - row.low))
+        case "text":
+            return ""
     low, high = row.soft or (row.low, row.high)
     return low + share * (high - low)
 
@@ -169,9 +172,11 @@ class AnySession(RuleBasedStateMachine):
 
     @rule(name=st.sampled_from(KEYS))
     def press_a_key(self, name):
-        """No action of the menus but undo and redo changes a finished level."""
+        """An action of the menus leaves one step or none."""
         self.release()
-        ACTIONS[name].run(self.session)
+        if ACTIONS[name].enabled(self.session):
+            with contextlib.suppress(BadInput):  # what has no direction can't be turned
+                ACTIONS[name].run(self.session)
         self.did()
 
     @rule()

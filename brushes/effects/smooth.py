@@ -14,6 +14,7 @@ import numpy as np
 from . import Effect, Piece
 
 MOST = 0.98  # of the detail that a dab takes at strength 1
+LEAST = 1e-6  # a fainter stroke leaves nothing to be undone
 
 
 class Smooth(Effect):
@@ -41,7 +42,7 @@ class Smooth(Effect):
 
     def _undo_opacity(self, live: np.ndarray, base: np.ndarray) -> None:
         """The ground as it would be at full opacity: base + (live − base) / opacity, in place."""
-        if self.params.opacity > 0:
+        if self.params.opacity > LEAST:
             live -= base
             live *= np.float32(1 / self.params.opacity)
             live += base
