@@ -84,8 +84,22 @@ LAYERS = (
     "foam_shadow",
     "roughness",
     "normal",
+    "beach_slide",
+    "ripples",
+    "foam_mask",
 )
-SEA = tuple(Shot(f"sea/{view}", "cove", SHORE, 14.0, "noon", view, "480x270") for view in LAYERS)
+LAYER = "480x270"
+STILL = {"sea.swell_m": 0.08, "sea.chop_m": 0.02, "shore.height_m": 0.25, "sea.wind_mps": 1.5}
+SEA = (
+    *(Shot(f"sea/{view}", "cove", SHORE, 14.0, "noon", view, LAYER) for view in LAYERS),
+    Shot("sea/shore_phase", "cove", "play", 14.0, "noon", "shore_phase", LAYER),
+    Shot("sea/patches", "cove", "survey", 14.0, "noon", "patches", LAYER),
+    Shot("sea/triangle_area", "cove", SHORE, 14.0, "noon", "triangle_area", LAYER, {"sea.mesh": "tessellated"}),
+    Shot("sea/reflections", "cove", "620,365,2.5,113,0", 14.0, "golden_hour", "reflections", LAYER, STILL),
+    Shot("sea/mirrored", "cove", "620,365,2.5,113,0", 14.0, "golden_hour", "final", LAYER, STILL),
+    Shot("sea/props", "cove", "549,398,2.6,125,-14", 24.75, "noon", "props", LAYER),
+    Shot("sea/boat", "cove", "549,398,2.6,125,-14", 24.75, size=SMALL),
+)
 
 # Three coasts in three moods. Environments set light and air; what the sea does in them is said here.
 CALM = {

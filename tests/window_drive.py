@@ -81,6 +81,14 @@ class Hands:
         self.ctx.key_press(total)
         self.ctx.yield_(2)
 
+    def until(self, done, work, tries: int = 4) -> None:
+        """Do something by hand, again while it had no effect: a busy computer may miss a click."""
+        for _ in range(tries):
+            work()
+            self.ctx.yield_(4)
+            if done():
+                return
+
     def settle(self) -> None:
         """Wait for the still picture."""
         for _ in range(400):
@@ -287,66 +295,77 @@ def files(hands: Hands) -> None:
 
 
 def objects(hands: Hands) -> None:
-    """Drop a lamp by a click, drag it, undo; rename, add and delete in the panel; turn a stop of a water table."""
+    """Drop a lamp by a click, drag it, undo; rename and delete in the panel; drag a stop of a water table."""
     ctx, session = hands.ctx, hands.session
     hands.key(imgui.Key.space)
     start = hands.height()
     ctx.menu_click("//##MainMenuBar/Place/Drop: lamp")
-    hands.drag((0.5, 0.55))
+    hands.until(lambda: session.selected, lambda: hands.drag((0.5, 0.55)))
     lamp = session.level.objects[session.selected]
     hands.note(dropped=lamp.id, tool=session.tool, steps=[s.label for s in session.journal.done])
     hands.key(imgui.Key.v)
     size = hands.window.viewport.size
     at = {marker.id: pixel for marker, pixel in shown(session.level, session.camera, size)}[lamp.id]
-    parts = tuple(at / np.array(size))
-    hands.drag(parts, (parts[0] + 0.1, parts[1]), (parts[0] + 0.2, parts[1] + 0.02))
+    east, north = at / np.array(size)
+    hands.drag((east, north), (east + 0.1, north), (east + 0.2, north + 0.02))
     moved = session.level.objects[lamp.id]
     hands.note(moved=moved.x - lamp.x, steps_moved=len(session.journal.done))
     hands.key(CTRL, imgui.Key.z)
     hands.note(back=session.level.objects[lamp.id] == lamp)
     ctx.window_focus("//Objects")
     ctx.yield_(2)
-    ctx.item_input_value("//Objects/###object_filter", "lamp")
-    ctx.yield_(3)
-    ctx.item_click(f"//Objects/**/###object_{lamp.id}")
-    ctx.item_input_value("//Objects/###object_filter", "")
-    ctx.yield_(3)
+    _choose(hands, lamp.id)
     ctx.item_input_value("//Objects/**/###object_name", "pier")
     ctx.yield_(3)
     hands.note(renamed="pier" in session.level.objects and session.selected == "pier")
-    hands.key(CTRL, imgui.Key.p)
-    ctx.key_chars("water table")
-    hands.key(imgui.Key.enter)
-    ctx.yield_(4)
-    table = session.level.objects[session.selected]
-    item = ctx.item_info("//Objects/**/###gradient")
-    box = item.rect_full
-    x = box.min.x + (box.max.x - box.min.x) * gradient.to_axis(table.stops[5][0])
-    y = box.min.y + gradient.STRIP_PX + gradient.HANDLE_PX / 2
-    steps = len(session.journal.done)
-    ctx.mouse_move_to_pos((x, y))
-    ctx.mouse_down(LEFT)
-    for way in (1, 2, 3):
-        ctx.mouse_move_to_pos((x + way, y))
-        ctx.yield_(2)
-    ctx.mouse_up(LEFT)
-    ctx.yield_(3)
-    now = session.level.objects[table.id]
-    hands.note(stop=[table.stops[5][0], now.stops[5][0]], stop_steps=len(session.journal.done) - steps)
-    hands.note(in_use=session.level.settings.water.table == table.id)
-    ctx.item_input_value("//Objects/###object_filter", "pier")
-    ctx.yield_(3)
-    ctx.item_click("//Objects/**/###object_pier")
-    ctx.yield_(3)
-    hands.note(chosen=session.selected, typing=imgui.get_io().want_text_input)
-    hands.key(imgui.Key.delete)
-    ctx.yield_(3)
+    _gradient(hands)
+    _choose(hands, "pier")
+    hands.until(lambda: "pier" not in session.level.objects, lambda: hands.key(imgui.Key.delete))
     hands.note(deleted="pier" not in session.level.objects)
     hands.key(imgui.Key.escape)
     hands.key(imgui.Key.escape)
     hands.note(tool_at_last=session.tool, same_ground=hands.height() == start)
     hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
     hands.settle()
+
+
+def _choose(hands: Hands, name: str) -> None:
+    """An object by its row in the panel, found by the filter."""
+    hands.ctx.item_input_value("//Objects/###object_filter", name)
+    hands.ctx.yield_(3)
+    row = f"//Objects/**/###object_{name}"
+    hands.until(lambda: hands.session.selected == name, lambda: hands.ctx.item_click(row))
+
+
+def _gradient(hands: Hands) -> None:
+    """A water table by the palette, and a drag of one of its stops."""
+    ctx, session = hands.ctx, hands.session
+
+    def add() -> None:
+        hands.key(CTRL, imgui.Key.p)
+        ctx.key_chars("water table")
+        hands.key(imgui.Key.enter)
+
+    hands.until(lambda: session.selected == "water-1", add)
+    table = session.level.objects[session.selected]
+    ctx.yield_(3)
+    box = ctx.item_info("//Objects/**/###gradient").rect_full
+    x = box.min.x + (box.max.x - box.min.x) * gradient.to_axis(table.stops[5][0])
+    y = box.min.y + gradient.STRIP_PX + gradient.HANDLE_PX / 2
+    steps = len(session.journal.done)
+
+    def pull() -> None:
+        ctx.mouse_move_to_pos((x, y))
+        ctx.mouse_down(LEFT)
+        for way in (1, 2, 3):
+            ctx.mouse_move_to_pos((x + way, y))
+            ctx.yield_(2)
+        ctx.mouse_up(LEFT)
+
+    hands.until(lambda: session.level.objects[table.id] != table, pull)
+    hands.note(stop=[table.stops[5][0], session.level.objects[table.id].stops[5][0]])
+    hands.note(stop_steps=len(session.journal.done) - steps)
+    hands.note(in_use=session.level.settings.water.table == table.id)
 
 
 def portrait(hands: Hands) -> None:
