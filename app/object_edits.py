@@ -26,7 +26,8 @@ class Objects(Props):
         `merge` joins the steps of a drag until `seal`; `use` makes a water table the one in use, in the same step.
         """
         try:
-            thing = OBJECT.validate_python(thing)
+            # a model may be a copy whose values nobody has checked
+            thing = OBJECT.validate_python(thing.model_dump() if isinstance(thing, Placed) else thing)
         except ValidationError as error:
             kinds = ", ".join(OBJECT_KINDS)
             kind = thing.get("kind") if isinstance(thing, dict) else None

@@ -38,7 +38,8 @@ class Grip:
             self._how = "move"
             if self._from is None:
                 return False
-            self.editor.attempt(placing.put, session, session.tool, self._from, True)
+            if not self.editor.attempt(placing.put, session, session.tool, self._from, True):
+                return False
         self._thing = session.level.objects.get(session.selected)
         return self._thing is not None
 

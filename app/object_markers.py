@@ -8,13 +8,13 @@ import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera, Placed
+from ..level.patches import PATCH_M
 from ..level.pick import ground_at
 from .camera_control import place, to_screen
 from .placing import BY_KIND
 
 REACH_PX = 15.0  # a click this near a marker means it
 TOO_NEAR_M = 2.0  # a marker that sits in the eye, such as that of the camera one looks through
-PATCH_M = 100.0
 RINGS = ("radius_m", "circle_m", "orbit_m")  # fields that say how far an object reaches
 
 

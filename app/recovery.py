@@ -92,8 +92,9 @@ class RecoveryLog:
         self._meshes |= change.meshes.keys()
         with self._ready:
             last = self._waiting[-1] if self._waiting else None
-            if isinstance(last, record.Change) and last.only_settings and change.only_settings:
-                self._waiting[-1] = change  # a slider being dragged
+            if isinstance(last, record.Change) and last.outdone_by(change):
+                change.meshes = last.meshes | change.meshes
+                self._waiting[-1] = change  # a slider or an object being dragged
             else:
                 self._ready.wait_for(lambda: len(self._waiting) < MOST_WAITING or self.failed)
                 self._waiting.append(change)

@@ -50,9 +50,11 @@ class Change:
     meshes: dict[str, Mesh] = field(default_factory=dict)  # that its props show, where the log hasn't got them yet
     labels: list[str] = field(default_factory=list)  # of the steps that were folded into this one
 
-    @property
-    def only_settings(self) -> bool:
-        return not (self.tiles or self.objects or self.ground)
+    def outdone_by(self, later: Change) -> bool:
+        """Whether a later change says all that this one says, as in the drag of a slider or an object."""
+        bare = not (self.tiles or self.ground or later.tiles or later.ground)
+        settings = later.settings is not None or self.settings is None
+        return bare and settings and self.objects.keys() == later.objects.keys()
 
 
 def change_of(level: Level, step: Step, known: Iterable[str] = ()) -> Change:

@@ -47,7 +47,7 @@ def pick_tool(session: Session, name: str) -> None:
 
 def put_away(session: Session) -> None:
     """Let go: first of the object, then of the tool."""
-    if session.selected and session.tool == SELECT:
+    if session.selected and session.tool in (SELECT, BRUSH):
         session.selected = ""
     else:
         session.tool = BRUSH

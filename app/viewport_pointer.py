@@ -114,7 +114,9 @@ class Pointer:
             self._move_stroke()
             return
         if self.mode == "object":
-            self.mode = "object" if self.grip.drag(where, size) else "dead"
+            if not self.grip.drag(where, size):
+                self.grip.release()
+                self.mode = "dead"
             return
         delta = io.mouse_delta
         if self.mode == "sun":

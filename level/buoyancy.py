@@ -20,10 +20,12 @@ from .force import ForceField
 from .level import Level
 from .meshes import mesh_of
 from .objects import Prop
+from .patches import removed
 from .pick import ground_at
 from .waves import sea_at, surface_at
 
 ACROSS, ALONG = 3, 5  # points under a hull
+NO_WATER_M = -1e6  # height of the sea where there is none
 SPREAD = 0.8  # share of its box that they span: a hull is narrower below
 BEDDED_M = 0.03  # so deep it lies in the ground
 STEEPEST = 1.2  # slope at which it stops following
@@ -110,8 +112,9 @@ def _afloat(level: Level, t: float, props: list[Prop], force: ForceField | None)
 def surface_heights(level: Level, t: float, world: np.ndarray, force: ForceField | None = None) -> np.ndarray:
     """Height of the drawn water at world points `(…, 2)`; far below everything where there is none."""
     if not level.settings.water.on:
-        return np.full(world.shape[:-1], -1e6)
-    return sea_at(level, t, world[..., 0], world[..., 1], force=force).height_m
+        return np.full(world.shape[:-1], NO_WATER_M)
+    height = sea_at(level, t, world[..., 0], world[..., 1], force=force).height_m
+    return np.where(removed(level, world[..., 0], world[..., 1]), NO_WATER_M, height)
 
 
 def _carried(level: Level, t: float, moored: np.ndarray, hulls: np.ndarray, headings: np.ndarray):

@@ -11,7 +11,7 @@ from .params import Section, param
 
 
 class Placed(Section):
-    """What every object has: an id that never changes, and a place in world metres."""
+    """What every object has: an id of its own, and a place in world metres."""
 
     id: str = Field(pattern=r"^[A-Za-z0-9_.-]{1,64}$", description="Name, unique in the level.")
     x: float = param(0.0, -1e6, 1e6, "m", "East.")

@@ -41,7 +41,7 @@ def smallest_circle(circles: list[Circle]) -> Circle:
     """The smallest circle round all of `circles` (one or more).
 
     It touches at most three. Those grow one at a time: of the old ones and the circle that sticks out farthest, the two
-    or three that need the most room; that room grows with every step, so it ends.
+    or three that need the most room. It ends where rounding lets that room grow no more.
     """
     touching = [max(circles, key=lambda c: c.radius_m)]
     while True:
@@ -50,7 +50,10 @@ def smallest_circle(circles: list[Circle]) -> Circle:
         worst = int(np.argmax(out))
         if out[worst] <= round_them.radius_m * (1 + 1e-9) + 1e-9 or circles[worst] in touching:
             return round_them
-        touching = _needed([*touching, circles[worst]])
+        more = _needed([*touching, circles[worst]])
+        if _round(more).radius_m <= round_them.radius_m:
+            return round_them
+        touching = more
 
 
 def _needed(circles: list[Circle]) -> list[Circle]:
@@ -165,6 +168,15 @@ def beach_contact(level: Level, x, y) -> Dual:
     """Share of the sheet's contact with the beach (H10): 0 where a patch is overridden as open or coastal."""
     rects, ends = patch_rects(level)
     return step(0.0, FADE_M, _away(rects[: ends[1]], x, y)) if ends[1] else Dual(1.0)
+
+
+def removed(level: Level, x, y) -> np.ndarray:
+    """Where hectares are overridden as removed, at world points: no sea is there."""
+    rects, ends = patch_rects(level)
+    found = np.zeros(np.shape(x), bool)
+    for west, south, east, north in rects[ends[1] : ends[2]]:
+        found |= (x >= west) & (x < east) & (y >= south) & (y < north)
+    return found
 
 
 def patch_uniforms(level: Level) -> dict:

@@ -15,6 +15,7 @@ import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera
+from ..level.params import get
 from .camera import Matrices, camera_matrices, jitter
 from .quality import Tier, tier
 from .show import Overlays, Show
@@ -33,6 +34,12 @@ class Pass:
 
 
 GBUFFER = ("g_albedo", "g_normal", "g_material", "g_emissive", "g_eye_depth", "g_before")
+# What a level has switched off, its dearest programs are compiled without: in software a branch costs what it skips.
+OFF = {
+    "sea.glsl": {"sea.on": "NO_GERSTNER", "shore.on": "NO_SHORE_WAVES", "force.on": "NO_FORCE", "flow.on": "NO_FLOW",
+                 "caustics.on": "NO_CAUSTICS"},
+    "plate.glsl": {"caustics.on": "NO_CAUSTICS"},
+}  # fmt: skip
 WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl")  # read patches.glsl
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
@@ -113,6 +120,7 @@ class Frame:
 
         if name in WITH_WAVES and overrides(self.level):
             defines["PATCHED"] = ""
+        defines |= {off: "" for path, off in OFF.get(name, {}).items() if not get(self.level.settings, path)}
         shader = self.renderer.programs.get(name, **defines)
         set_uniforms(shader.program, self.uniforms)
         bind_textures(shader, self.textures)

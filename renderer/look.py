@@ -15,7 +15,7 @@ from .sky_light import sky_light
 
 DISPLAYS = ("agx", "aces", "neutral", "raw")
 GRAVITY = 9.81
-FOAM_CYCLES = 100  # after so many the jumps of moving foam come again
+FOAM_CYCLES = 600  # after so many the jumps of moving foam have come round: 6 / 25 and 5 / 24 of a tile
 CAP_LIFE_S = 7.0
 LIGHT_MPS = 3.7  # up to this wind nothing on the open sea is white
 CALM_M, ROUGH_M = 0.1, 0.4  # waves from which on crests bear foam, and bear it whole

@@ -116,7 +116,7 @@ class Inset:
 
         view, corner, size, turn, extent = (*text.split(":"), *[""] * 5)[:5]
         if not find_view(view).inset:
-            raise BadInput(f"{view} draws the scene in its own way, so it cannot be an inset")
+            raise BadInput(f"{view} is drawn for the whole picture alone, so it cannot be an inset")
         corner = corner or "upper-left"
         if corner not in CORNERS or text.count(":") > 4:
             raise BadInput(

@@ -123,9 +123,12 @@ class Uploader:
 
     def patch_kinds(self, level: Level):
         """Kinds of sea by hectare (H27), R8, and the column and row of the first."""
-        made = patch_kinds(level)
-        self._whole("u_patch_kinds", made.kinds, "f1")
-        return self.textures["u_patch_kinds"], (made.col0, made.row0)
+        key = level.revision, level.settings
+        if self.seen.get("patch_kinds", (None,))[0] != key:
+            made = patch_kinds(level)
+            self._whole("u_patch_kinds", made.kinds, "f1")
+            self.seen["patch_kinds"] = key, (made.col0, made.row0)
+        return self.textures["u_patch_kinds"], self.seen["patch_kinds"][1]
 
     def shore_field(self, level: Level):
         """Distance, direction, beach (H10, H11), RGBA8 with a linear filter; only what changed is sent."""

@@ -19,7 +19,8 @@ from ..level.params import replace
 _OF_PIXELS = re.compile(
     r"\bs\.(?!before|material|eye_depth)|\b(lit|under|ray|pixel|plate|gl_FragCoord|sun_glint|crest_light)\b"
 )
-_OWN_SCENE = ("scatter", "props", "ground", "triangle_area")  # passes write something else for these
+# passes write something else for these, or they look things up where the pixel itself stands
+_OWN_SCENE = ("scatter", "props", "ground", "triangle_area", "plate_a", "plate_b", "reflections", "glint")
 RAMPS = ("light", "colour", "direct", "grey", "signed", "normal", "metres")
 
 
@@ -96,7 +97,7 @@ VIEWS: dict[str, View] = {
         View("point_lights", "Point lights", "Light of lamps alone.", "lit", "light", ids="D01", scene="lamps"),
         View("shadow", "Sun visibility", "White in the sun, black in the shadow of land and things.",
              "vec3(sun_visibility(position))", ids="L03"),
-        View("prop_shadow", "Shadow of things", "Black in the shadow of rocks, driftwood and grass alone.",
+        View("prop_shadow", "Shadow of things", "Black in the shadow of rocks, driftwood, grass and props alone.",
              "vec3(prop_visibility(position))", ids="L03"),
         View("scatter", "Scatter", "Kinds of scattered things in colours, on ground in grey.",
              "s.material == LAND && s.emissive != vec3(0.0) ? s.emissive"

@@ -211,8 +211,9 @@ def test_gradient_stops_stay_in_order(session):
     stops = session.level.objects["water-1"].stops
     for part in (0.0, 0.3, 1.0):
         assert gradient.to_axis(gradient.to_metres(part)) == pytest.approx(part)
-    moved, number = gradient.with_stop(stops, 3, metres=900.0)
-    assert number == 3
+    moved = gradient.with_stop(stops, 3, metres=900.0)
+    recoloured = gradient.with_stop(stops, 3, left=(0.5, 0.4, 0.3))
+    assert recoloured[3] == (stops[3][0], 0.5, 0.4, 0.3, *stops[3][4:])
     assert moved == tuple(sorted(moved))
     assert stops[2][0] < moved[3][0] < stops[4][0]
     more, number = gradient.inserted(stops, 2.345)

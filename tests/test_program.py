@@ -3,12 +3,14 @@
 import os
 
 import pytest
-from shorewright.renderer.frame import PASSES
+from shorewright.renderer.frame import OFF, PASSES
 from shorewright.renderer.program import MOST_SAMPLERS, SHADERS, Programs, Shader, ShaderError, explain, resolve
 from shorewright.renderer.uniforms import set_uniforms
 from shorewright.renderer.views import VIEWS
 
-VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", "COARSE": ""}, {"HORIZON": ""}, {"MESH": "", "TESSELLATED": ""},
+ALL_OFF = dict.fromkeys(OFF["sea.glsl"].values(), "")
+VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "COARSE": ""},
+                         {"HORIZON": ""}, {"MESH": "", "TESSELLATED": ""},
                          {"MESH": "", "MEASURED": ""}, {"MESH": "", "MEASURED": "", "TESSELLATED": ""},
                          {"MESH": "", "PATCHED": ""}),
             "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "openness.glsl": ({"WAYS": "8", "STEPS": "11"},),

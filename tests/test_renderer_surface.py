@@ -7,8 +7,10 @@ import pytest
 from scenes import SIZE, camera, coast, is_sea
 from shorewright.io import read_level
 from shorewright.level import Grid, Level
+from shorewright.level.objects import Mover
 from shorewright.level.waves import sea_at
-from shorewright.renderer import Show, camera_matrices, render
+from shorewright.renderer import Show, camera_matrices, frame, render
+from shorewright.renderer.frame import OFF
 
 pytestmark = pytest.mark.gl
 SAMPLES = Path(__file__).parents[1] / "sample_levels"
@@ -159,3 +161,15 @@ def test_no_land_rises_where_the_border_is_sea(renderer):
     points, mirrored = beyond_the_border(renderer, height)
     assert mirrored.max() > 10
     assert points[:, 2].max() < -10
+
+
+@pytest.mark.parametrize("path", OFF["sea.glsl"])
+def test_a_program_without_a_row_draws_what_the_switch_draws(renderer, monkeypatch, path):
+    """What is switched off is compiled out: the same picture as by the uniform alone."""
+    level = coast(rock=9.0)
+    level.put_object("mover", Mover(id="mover", x=128.0, y=90.0, speed_mps=4.0))
+    level.set(path, False)
+    without = render(level, camera(), SIZE, 6.0, renderer=renderer).astype(int)
+    monkeypatch.setattr(frame, "OFF", {})
+    switched = render(level, camera(), SIZE, 6.0, renderer=renderer)
+    assert np.abs(without - switched).max() <= 1

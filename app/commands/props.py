@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
+from ...level.errors import BadInput
 from .common import LevelPath, numbers, put, put_notes
 
 
@@ -37,6 +38,9 @@ def place(
     fields |= {"z": z[0]} if z else {}
     fields |= {"id": name} if name else {}
     with Session.open(level) as session:
+        before = session.level.objects.get(name or "")
+        if before is not None and before.kind != "prop":
+            raise BadInput(f"{name} is a {before.kind} of this level: choose another --name")
         held = session.import_mesh(mesh, up=up)
         thing = session.place_prop(held, x, y, **fields)
         session.save()

@@ -15,6 +15,7 @@ from ..param_widgets import tooltip
 
 KNEE_M = 0.5  # the axis is nearly linear below, by factors above: most colour turns in the first metres
 STRIP_PX, HANDLE_PX, PIECES = 30.0, 7.0, 96
+GAP_M = 0.01  # between two stops that are dragged together
 MARKS_M = (0.0, 1.0, 5.0, 20.0, 50.0, 200.0)
 _state = {"table": "", "stop": 0, "dragged": -1}
 
@@ -29,18 +30,16 @@ def to_metres(part: float) -> float:
     return KNEE_M * math.expm1(min(max(part, 0.0), 1.0) * math.log1p(LENGTH_M / KNEE_M))
 
 
-def with_stop(stops, number: int, **changes) -> tuple[tuple, int]:
-    """Stops with one changed (`metres`, `left`, `added`), in order, and where it stands now.
-
-    It stays between its neighbours: a drag never swaps two stops.
-    """
+def with_stop(stops, number: int, **changes) -> tuple:
+    """Stops with one changed (`metres`, `left`, `added`): it stays between its neighbours, a drag never swaps two."""
     metres, left, added = stops[number][0], stops[number][1:4], stops[number][4:7]
-    metres = changes.get("metres", metres)
-    low = stops[number - 1][0] + 0.01 if number else 0.0
-    high = stops[number + 1][0] - 0.01 if number + 1 < len(stops) else 1000.0
-    metres = min(max(metres, low), max(high, low))
-    stop = (round(metres, 3), *changes.get("left", left), *changes.get("added", added))
-    return (*stops[:number], stop, *stops[number + 1 :]), number
+    if "metres" in changes:
+        low = stops[number - 1][0] if number else 0.0
+        high = stops[number + 1][0] if number + 1 < len(stops) else 1000.0
+        gap = min(GAP_M, (high - low) / 2)
+        metres = round(min(max(changes["metres"], low + gap * (number > 0)), high - gap), 3)
+    stop = (metres, *changes.get("left", left), *changes.get("added", added))
+    return (*stops[:number], stop, *stops[number + 1 :])
 
 
 def inserted(stops, metres: float) -> tuple[tuple, int]:
@@ -56,6 +55,8 @@ def draw(editor: Editor, table: WaterTable) -> None:
     if _state["table"] != table.id:
         _state.update(table=table.id, stop=0, dragged=-1)
     _state["stop"] = min(_state["stop"], len(table.stops) - 1)
+    if _state["dragged"] >= len(table.stops):  # an undo took it away
+        _state["dragged"] = -1
     _use(editor, table)
     corner, width = imgui.get_cursor_screen_pos(), max(imgui.get_content_region_avail().x, 60.0)
     imgui.invisible_button("###gradient", imgui.ImVec2(width, 2 * STRIP_PX + 3 * HANDLE_PX))
@@ -102,7 +103,7 @@ def _handles(editor: Editor, table: WaterTable, corner, width: float) -> None:
             _state["dragged"] = -1
             editor.session.seal()
         elif imgui.get_io().mouse_delta.x:
-            stops, _ = with_stop(table.stops, _state["dragged"], metres=to_metres((mouse.x - corner.x) / width))
+            stops = with_stop(table.stops, _state["dragged"], metres=to_metres((mouse.x - corner.x) / width))
             editor.attempt(editor.session.alter, table.id, {"stops": stops}, True)
     draw_list = imgui.get_window_draw_list()
     middle = corner.y + STRIP_PX + HANDLE_PX / 2
@@ -120,7 +121,7 @@ def _pressed(editor: Editor, table: WaterTable, near: int, hovered: bool, part: 
         editor.attempt(session.alter, table.id, {"stops": stops})
     elif near >= 0 and imgui.is_mouse_clicked(0):
         _state["stop"] = _state["dragged"] = near
-    elif near >= 0 and imgui.is_mouse_clicked(1) and len(table.stops) > 2:
+    elif near >= 0 and imgui.is_mouse_clicked(1) and _state["dragged"] < 0 and len(table.stops) > 2:
         stops = table.stops[:near] + table.stops[near + 1 :]
         editor.attempt(session.alter, table.id, {"stops": stops})
         _state["stop"] = min(_state["stop"], len(stops) - 1)
@@ -154,7 +155,7 @@ def _colours(editor: Editor, table: WaterTable) -> None:
         if changed:
             changes[key] = tuple(min(max(float(v), 0.0), 1.0) for v in colour[:3])
     if changes:
-        stops, _ = with_stop(table.stops, number, **changes)
+        stops = with_stop(table.stops, number, **changes)
         editor.attempt(session.alter, table.id, {"stops": stops}, True)
     if sealed:
         session.seal()

@@ -4,6 +4,9 @@ uniform sampler2D u_force;     // push east, north m/s, lift m, foam
 uniform vec4 u_force_place;    // world place of its first cell, metres a cell, 1 where something stirs
 
 bool force_cell(vec2 xy, out ivec2 cell, out vec2 f) {
+#ifdef NO_FORCE
+    return false;
+#endif
     if (u_force_place.w <= 0.0) return false;
     vec2 at = (xy - u_force_place.xy) / u_force_place.z;
     ivec2 last = textureSize(u_force, 0) - 1;

@@ -90,6 +90,9 @@ vec3 shore_swash(vec2 xy, vec3 early) {
 
 // True where no wave has come yet: it is deeper than the tail of the outermost one, and every mask and the lift are 0.
 bool before_waves(Bed bed) {
+#ifdef NO_SHORE_WAVES
+    return true;
+#endif
     float tail = max(max(u_shore_gap + 2.0 * u_shore_back, u_shore_gap + u_shore_width), u_shore_width + u_shore_fall);
     return u_shore_on <= 0.0 || min(bed.clock.x, bed.smoothed.x) > (1.0 + tail) * u_shore_range_m;
 }

@@ -32,8 +32,10 @@ def draw(frame: Frame) -> None:
         shader.program["u_range"].value = view.low, view.high
         frame.targets.display.scissor = tuple(int(v) for v in box)
         ctx.disable(ctx.BLEND)
-        shader.fullscreen()
-    frame.targets.display.scissor = None
+        try:
+            shader.fullscreen()
+        finally:
+            frame.targets.display.scissor = None
 
 
 def _box(inset: Inset, view: View, size: tuple[int, int], taken: float) -> tuple[float, float, float, float]:
@@ -53,6 +55,8 @@ def _map(frame: Frame, inset: Inset, pixels: float) -> dict:
     half = inset.extent_m / 2
     if not half and inset.view.startswith("force"):
         half = frame.level.settings.force.cell_m * SIDE / 2
+        west, south, _, stirred = frame.uniforms["u_force_place"]
+        x, y = (west + half, south + half) if stirred else (x, y)
     elif not half:
         east, north = frame.level.grid.extent_m
         x, y, half = east / 2, north / 2, max(east, north) / 2

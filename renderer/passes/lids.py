@@ -23,17 +23,20 @@ def draw(frame: Frame) -> None:
     if not frame.level.settings.water.on:
         return
     things = lidded(placed(frame))
-    if not things:
-        return
     ctx, target = frame.renderer.ctx, frame.targets.gbuffer
     held: Buffers = buffers(frame, "lids")
     frame.renderer.uploader.sent["props"] += held.keep(things, shaded=False)
+    if not things:
+        return
     seen_from = eye(frame)
     things = seen(things, seen_from.position, seen_from.planes, seen_from.pixel)
+    shader = frame.shader("lids.glsl")
     target.use()
     shown = target.color_mask
     target.color_mask = tuple((False,) * 4 for _ in target.color_attachments)
     ctx.enable(ctx.DEPTH_TEST)
-    held.draw("lids", frame.shader("lids.glsl"), things, frame.matrices.position)
-    ctx.disable(ctx.DEPTH_TEST)
-    target.color_mask = shown
+    try:
+        held.draw("lids", shader, things, frame.matrices.position)
+    finally:
+        ctx.disable(ctx.DEPTH_TEST)
+        target.color_mask = shown

@@ -9,11 +9,11 @@ from .scatter import eye
 
 def draw(frame: Frame) -> None:
     things = placed(frame)
-    if not things:
-        return
     seen_from, ctx = eye(frame), frame.renderer.ctx
     held = buffers(frame)
     frame.renderer.uploader.sent["props"] += held.keep(things)
+    if not things:
+        return
     things = seen(things, seen_from.position, seen_from.planes, seen_from.pixel)
     frame.targets.gbuffer.use()
     shader = frame.shader("props.glsl", **({"MARK": ""} if frame.view.name == "props" else {}))

@@ -112,6 +112,9 @@ void main() {
 #endif
     float on_sea = float(s.material == SEA), on_land = float(s.material == LAND);
     Sea sea = sea_surface(s.before);
+#ifdef INSET_MAP
+    if (s.material == SEA) position.z = sea.position.z;
+#endif
     Bed bed = bed_at(position.xy);
     vec3 ground = ground_sample(position.xy);
     vec3 lit = texelFetch(hdr, pixel, 0).rgb;

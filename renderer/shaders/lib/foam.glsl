@@ -32,6 +32,9 @@ void foam_places(vec2 xy, vec2 flow, out vec2 first, out vec2 second, out float 
     first = xy / u_foam_tile_m;
     second = first + OTHER;
     weight = 0.0;
+#ifdef NO_FLOW
+    return;
+#endif
     if (u_foam_cycle.z <= 0.0 || dot(flow, flow) < STILL_MPS * STILL_MPS) return;
     float early = textureLod(u_noise, xy / (8.0 * u_flow_noise_m), 3.0).g * u_flow_noise;
     float a = u_foam_cycle.x + early, b = a + 0.5;

@@ -7,7 +7,7 @@ vec2 beach_carried = vec2(0.0);  // where the sheet has carried it from the stil
 // Where each copy is read, in tiles, and the weight of the second.
 void beach_places(vec2 xy, float tile_m, vec2 jump, vec2 other, out vec2 first, out vec2 second, out float weight) {
     vec2 at = (xy - beach_carried) / tile_m;
-    float number = mod(beach_ride.y, 64.0);
+    float number = mod(beach_ride.y, 600.0);  // the jumps come round
     first = at + jump * number;
     second = at + other + jump.yx * (number + step(0.5, beach_ride.x));
     weight = abs(2.0 * beach_ride.x - 1.0);

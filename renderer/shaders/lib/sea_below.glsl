@@ -60,6 +60,9 @@ const float RING_LENS_M = 0.75;  // how far a metre of water throws light aside 
 // Bright lines that waves draw on the bed: one still image, bent by a broad panning normal map (D08, H13). Mean 1. Deeper
 // down they blur, and light has come from everywhere.
 float caustics(vec2 xy, float depth, float pixel_m) {
+#ifdef NO_CAUSTICS
+    return 1.0;
+#endif
     float strength = smoothstep(0.03, 0.4, depth) * exp(-depth / u_caustics_depth_m) * u_sun_direction.z;
     float lod = log2(max(pixel_m * CAUSTICS_TEXELS / u_caustics_tile_m, 1e-4));
     strength *= u_caustics_on ? u_caustics_strength * (1.0 - smoothstep(3.0, 6.0, lod)) : 0.0;

@@ -101,7 +101,7 @@ Sea sea_found(bool exact, inout vec3 relative, inout vec2 before) {
         if (!exact || s.stage == KEEP) break;
         vec3 point = start + along * s.way;
         vec2 off = point.xy + u_camera.xy - sea.position.xy;
-        float above = point.z + u_camera.z - sea.position.z + dot(sea.normal.xy, off) / max(sea.normal.z, 0.1);
+        float above = above_sea(point, sea);
         fine = fine || (i == 0 && abs(above) < NEAR_ENOUGH_M);
         bool refines = s.stage == REFINE;
         if (refines) touch(s, above, sea.normal, start, along, fine);
