@@ -43,6 +43,13 @@ SHOTS = (
     Shot("cove-sculpted", "cove+session", "play"),
     Shot("cove-lines", "cove", "play", view="wave_line"),
     Shot("cove-walkable", "cove", "survey", view="walkable"),
+    Shot(
+        "cove-boat",
+        "cove",
+        "560,385,6,0,-25",
+        20.0,
+        settings={"sea.swell_m": 0.06, "sea.chop_m": 0.015, "shore.height_m": 0.15, "sea.wind_mps": 1.2},
+    ),
     Shot("island-survey", "island", "survey"),
     Shot("island-play", "island", "play"),
 )

@@ -223,3 +223,30 @@ def test_gradient_stops_stay_in_order(session):
         assert more[number][i] == pytest.approx(np.interp(2.345, table[:, 0], table[:, i]))
     session.alter("water-1", {"stops": more})
     assert session.level.objects["water-1"].stops == more
+
+
+def test_a_copy_is_checked_like_anything_else(session):
+    """A duplicate whose name would be too long is refused; nothing is left behind."""
+    session.place({"kind": "mover", "id": "m" * 64, "x": 80.0, "y": 90.0})
+    session.selected = "m" * 64
+    before = dict(session.level.objects)
+    with pytest.raises(BadInput, match="id"):
+        placing.duplicate(session)
+    assert session.level.objects == before
+
+
+def test_a_drag_that_is_broken_off_is_a_step_of_its_own(session, grip):
+    placing.put(session, "lamp", (80.0, 100.0, 0.0))
+    session.tool = SELECT
+    start = pixel(session, "lamp-1")
+    assert grip.press(start, SIZE, False, False)
+    assert grip.drag((start[0] + 20, start[1]), SIZE)
+    put_away(session)  # Esc
+    assert not grip.drag((start[0] + 40, start[1]), SIZE)
+    grip.release()
+    steps = len(session.journal.done)
+    session.alter("lamp-1", {"x": 60.0}, merge=True)
+    assert len(session.journal.done) == steps + 1
+    put_away(session)
+    put_away(session)
+    assert (session.tool, session.selected) == (BRUSH, "")

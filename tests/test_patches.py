@@ -19,6 +19,7 @@ from shorewright.level.patches import (
     patch_kinds,
     patch_rects,
     patch_shore,
+    removed,
     shore_reach_m,
     smallest_circle,
 )
@@ -166,3 +167,18 @@ def test_an_override_shows_in_the_kinds():
     for n, name in enumerate(KINDS):
         level.put_object(name, SeaPatch(id=name, x=50.0 + 100 * n, y=-650.0, sea=name))
     assert [kind_at(level, 50.0 + 100 * n, -650.0) for n in range(4)] == [OPEN, COASTAL, BEACH, REMOVED]
+
+
+def test_circles_that_all_but_coincide_end():
+    """H01: where rounding leaves nothing to gain the search stops, and everything still lies within."""
+    circles = [Circle(0.01 * n * n, 0.02 * (n % 3), 20_000.0) for n in range(6)]
+    for some in (circles, [Circle(0.0, 0.0, 400.0), Circle(5e-6, 0.0, 400.0)]):
+        found = smallest_circle(some)
+        assert all(found.holds(one, 1e-3) for one in some)
+
+
+def test_removed_hectares_hold_no_water():
+    """H01, D12: what floats finds none there."""
+    level = coast()
+    level.put_object("p", SeaPatch(id="p", x=50.0, y=50.0, sea="removed"))
+    assert list(removed(level, np.array([50.0, 150.0, 99.9]), np.array([50.0, 50.0, 100.1]))) == [True, False, False]
