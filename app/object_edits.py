@@ -25,9 +25,10 @@ class Objects(Props):
 
         `merge` joins the steps of a drag until `seal`; `use` makes a water table the one in use, in the same step.
         """
+        # a model may be a copy whose values nobody has checked
+        thing = thing.model_dump() if isinstance(thing, Placed) else thing
         try:
-            # a model may be a copy whose values nobody has checked
-            thing = OBJECT.validate_python(thing.model_dump() if isinstance(thing, Placed) else thing)
+            thing = OBJECT.validate_python(thing)
         except ValidationError as error:
             kinds = ", ".join(OBJECT_KINDS)
             kind = thing.get("kind") if isinstance(thing, dict) else None
