@@ -1,10 +1,10 @@
 """One sector of one layer as an EXR file that any image tool opens, and back.
 
 Row 0 of the file is the **north** edge (top of the picture), the level's row 0 is south. A single map is channel `Y`,
-two are R and G (with an empty B, since some readers want three), four are R, G, B and A; float32 or half as LAYERS
-says, ZIP. Which 128² tiles were written stands in the attribute `shorewright:written`: one digit a tile, rows from
-south to north, parted by `/`. A tile counts as written when its digit is 1 or any of its samples isn't zero, so a file
-that another tool has saved again loses nothing but tiles painted with plain zero.
+two are R and G (with an empty B, since some readers want three), four are R, G, B and A, more are C4, C5 … besides;
+float32 or half as LAYERS says, ZIP. Which 128² tiles were written stands in the attribute `shorewright:written`: one
+digit a tile, rows from south to north, parted by `/`. A tile counts as written when its digit is 1 or any of its
+samples isn't zero, so a file that another tool has saved again loses nothing but tiles painted with plain zero.
 """
 
 from __future__ import annotations
@@ -31,7 +31,9 @@ def write_sector(path: Path, samples: np.ndarray, half: bool, written: np.ndarra
     if image.shape[2] == 2:
         image = np.concatenate([image, np.zeros_like(image[..., :1])], axis=2)
     attributes = {} if written is None else {WRITTEN: "/".join("".join("01"[t] for t in row) for row in written * 1)}
-    encode(path, image[::-1], half=half, data=True, attributes=attributes)
+    more = image.shape[2] > 4
+    names = [*"RGBA", *(f"C{n}" for n in range(4, image.shape[2]))] if more else None
+    encode(path, image[::-1], channels=names, half=half, data=True, attributes=attributes)
 
 
 def check_header(path: Path, shape: tuple[int, int], channels: int) -> None:

@@ -81,11 +81,16 @@ NOWHERE = Rect(0, 0, 0, 0)
 
 @dataclass(frozen=True)
 class Grid:
-    """A rectangle of square cells: `rows` × `cols` samples, `cell_m` metres apart."""
+    """A rectangle of square cells: `rows` × `cols` samples, `cell_m` metres apart; sample (0, 0) stands at `origin_m`.
+
+    One that `wraps` goes on after its last sample with its first, east and north.
+    """
 
     rows: int
     cols: int
     cell_m: float = 1.0
+    origin_m: tuple[float, float] = (0.0, 0.0)
+    wraps: bool = False
 
     def __post_init__(self) -> None:
         if not (2 <= self.rows <= MAX_SIDE and 2 <= self.cols <= MAX_SIDE):
@@ -99,8 +104,9 @@ class Grid:
 
     @property
     def extent_m(self) -> tuple[float, float]:
-        """Metres (east, north) from the first to the last sample."""
-        return (self.cols - 1) * self.cell_m, (self.rows - 1) * self.cell_m
+        """Metres (east, north) from the first to the last sample, of a grid that wraps to where it begins again."""
+        ends = 0 if self.wraps else 1
+        return (self.cols - ends) * self.cell_m, (self.rows - ends) * self.cell_m
 
     @property
     def rect(self) -> Rect:
@@ -115,11 +121,13 @@ class Grid:
 
     def to_cells(self, x_m, y_m):
         """Fractional (row, column) of a world point; works on arrays."""
-        return y_m / self.cell_m, x_m / self.cell_m
+        east_m, north_m = self.origin_m
+        return (y_m - north_m) / self.cell_m, (x_m - east_m) / self.cell_m
 
     def to_metres(self, row, col):
         """World (x, y) of a (row, column); works on arrays."""
-        return col * self.cell_m, row * self.cell_m
+        east_m, north_m = self.origin_m
+        return col * self.cell_m + east_m, row * self.cell_m + north_m
 
     def rect_along(self, row0: float, col0: float, row1: float, col1: float, reach: float) -> Rect:
         """The cells within `reach` cells of a line between two fractional cells, clipped to the level."""

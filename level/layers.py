@@ -12,7 +12,8 @@ import numpy as np
 
 from .grid import TILE, Grid, Rect
 
-WEATHER_GRID = Grid(512, 512, 70_000 / 512)  # wraps; its own origin
+# 70 km round the middle of the weather map, in metres of the moving air (weather.py)
+WEATHER_GRID = Grid(512, 512, 70_000 / 512, origin_m=(-35_000.0, -35_000.0), wraps=True)
 
 
 @dataclass(frozen=True)
@@ -88,9 +89,16 @@ LAYERS: dict[str, Layer] = {
         Layer(
             "weather",
             "Weather map",
-            ("coverage", "precipitation", "type", "weight"),
+            (
+                "coverage",
+                "precipitation",
+                "type",
+                "coverage_weight",
+                "precipitation_weight",
+                "type_weight",
+            ),
             "",
-            "Painted sky on its own wrapping grid.",
+            "Painted sky on its own wrapping grid, and how much each channel counts over the simulation.",
             grid="weather",
         ),
     )

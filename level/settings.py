@@ -6,6 +6,7 @@ from typing import Literal
 
 from .params import Section, param
 from .sea_settings import Caustics, Flow, Foam, Force, Glare, Quiet, Things
+from .sky_settings import Clouds, CloudTerms, Storm, Weather
 
 
 class WaterLevel(Section):
@@ -235,6 +236,10 @@ class Settings(Section):
     things: Things = Things()
     light: Light = Light()
     fog: Fog = Fog()
+    clouds: Clouds = Clouds()
+    cloud_terms: CloudTerms = CloudTerms()
+    weather: Weather = Weather()
+    storm: Storm = Storm()
     ground: Ground = Ground()
     wet: Wet = Wet()
     scatter: Scatter = Scatter()

@@ -44,6 +44,8 @@ WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl")  # read p
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
 PASSES: tuple[Pass, ...] = (
+    Pass("weather", ("weather.glsl",), ("u_layer_weather",), ("u_weather",), "The weather map round the camera.",
+         "Z04 Z05 Z06"),
     Pass("lobes", ("lobes.glsl",), ("u_sky",), ("u_lobes",), "The sky as things mirror it, kept.", "L02"),
     Pass("shadow", ("shadow.glsl",), ("u_height",), ("u_shadow",),
          "Height of the land's shadow, kept while nothing changes."),

@@ -100,15 +100,33 @@ class Uploader:
         dtype = "f2" if LAYERS[name].half else "f4"
         if data.neutral:
             if self.seen.get(key) != "neutral":
-                self._whole(sampler, np.zeros((1, 1, len(data.row.channels)), np.float32), dtype)
+                for part, channels in _texels(sampler, np.zeros((1, 1, len(data.row.channels)), np.float32)):
+                    self._whole(part, channels, dtype)
                 self.seen[key] = "neutral"
             return self.textures[sampler]
         whole = not isinstance(self.seen.get(key), int)
         rects = [data.grid.rect] if whole else level.changed_since(name, self.seen[key])
         for rect in rects:
-            self._part(sampler, data.array, rect, dtype)
-        self.seen[key] = level.revision
+            for part, channels in _texels(sampler, data.array):
+                self._part(part, channels, rect, dtype)
+        if whole and data.grid.wraps:
+            for part, _ in _texels(sampler, data.array):
+                texture = self.textures[part]
+                texture.filter = self.ctx.LINEAR, self.ctx.LINEAR
+                texture.repeat_x = texture.repeat_y = True
+        self.seen[key] = level.layer_revision(name)
         return self.textures[sampler]
+
+    def weather_noise(self, level: Level, make):
+        """The noise of the weather's simulation (Z05), RGBA16F, tiling."""
+        seed = level.settings.level.seed
+        if self.seen.get("weather_noise") != seed:
+            self._whole("u_weather_noise", make(seed), "f2")
+            texture = self.textures["u_weather_noise"]
+            texture.filter = self.ctx.LINEAR, self.ctx.LINEAR
+            texture.repeat_x = texture.repeat_y = True
+            self.seen["weather_noise"] = seed
+        return self.textures["u_weather_noise"]
 
     def walkable(self, level: Level):
         """Where the player can go, R8, one texel a sample; after a stroke only round what it changed."""
@@ -205,6 +223,13 @@ class Uploader:
             texture.release()
         self.textures.clear()
         self.seen.clear()
+
+
+def _texels(sampler: str, values: np.ndarray):
+    """(name, samples) of the textures that a layer needs: one holds four channels, what is left goes to NAME_more."""
+    yield sampler, values if values.ndim == 2 else values[..., :4]
+    if values.ndim == 3 and values.shape[2] > 4:
+        yield f"{sampler}_more", values[..., 4:]
 
 
 def _difference(old: np.ndarray | None, new: np.ndarray) -> Rect:

@@ -109,16 +109,15 @@ def blots(level: Level, near: dict, x, y, seed: int) -> None:
 
 
 def sky(level: Level, seed: int) -> None:
-    """Fair cumulus over the cove and out to sea, south-west; the grid wraps and its corner is the level's."""
-    side, from_row, from_col = 96, -60, -56
+    """Fair cumulus over the cove and out to sea, south-west; the grid's middle is the level's corner."""
+    side, from_row, from_col = 96, 196, 200
     col, row = np.meshgrid(np.arange(side, dtype=float), np.arange(side, dtype=float))
     edge = smoothstep(
         48, 26, np.sqrt(np.square(row - 47.5) + np.square(col - 47.5)) + 9 * fbm(col, row, 40, 3, seed + 20)
     )
     clumps = smoothstep(-0.25, 0.75, fbm(col, row, 17, 4, seed + 21))
-    values = (
-        np.stack([0.62 * clumps * edge, 0 * edge, 0.45 + 0.15 * clumps, 0.9 * edge], axis=-1) * (edge > 0)[..., None]
-    )
+    weights = [0.9 * edge, 0.9 * edge, 0.9 * edge]
+    values = np.stack([0.62 * clumps, 0 * edge, 0.7 + 0.3 * clumps, *weights], axis=-1) * (edge > 0)[..., None]
     rows, cols = WEATHER_GRID.shape
     for part_row in wrapped(from_row, side, rows):
         for part_col in wrapped(from_col, side, cols):

@@ -1,0 +1,56 @@
+// The weather map at a place and a time (Z04 to Z06). The twin is level/weather.py.
+
+uniform sampler2D u_weather_noise;       // a broad pattern and its quarter turn, a fine one and its own; Gaussian
+uniform sampler2D u_layer_weather;       // painted coverage, precipitation, type; weight of the coverage
+uniform sampler2D u_layer_weather_more;  // weights of precipitation and type
+uniform vec4 u_weather_turn;             // cosine and sine of the state of the broad and of the fine pattern
+uniform vec2 u_weather_moved;            // metres that the air has moved, and the map's middle
+uniform vec2 u_weather_paint_moved;      // the same of the paint
+uniform vec4 u_weather_bias;             // coverage, type, precipitation, variety
+uniform vec4 u_weather_horizon;          // from and to, m; coverage, type
+uniform bool u_weather_painted;
+
+const float WEATHER_TILE_M = 70000.0, RAINY = 0.7, RAIN_SOFT = 0.15, WEATHER_FINE = 0.55;
+const int STAGE_SIMULATED = 0, STAGE_PAINTED = 1, STAGE_HORIZON = 2, STAGE_FINAL = 3;
+
+// The noise in its present state, evenly spread over 0 … 1.
+float weather_even(vec2 xy, vec2 shift) {
+    vec4 noise = textureLod(u_weather_noise, (xy - u_weather_moved) / WEATHER_TILE_M + 0.5 + shift, 0.0);
+    float value = dot(noise, u_weather_turn * vec4(1.0, 1.0, WEATHER_FINE, WEATHER_FINE));
+    return 1.0 / (1.0 + exp(-1.702 * value / length(vec2(1.0, WEATHER_FINE))));
+}
+
+float weather_spread(float mean, float even) {
+    return mean + u_weather_bias.w * min(mean, 1.0 - mean) * (2.0 * even - 1.0);
+}
+
+// Coverage, precipitation and type by the simulation alone.
+vec3 weather_simulated(vec2 xy) {
+    float threshold = 1.0 - u_weather_bias.z * (1.0 + RAIN_SOFT);
+    float rain = smoothstep(threshold, threshold + RAIN_SOFT, weather_even(xy, vec2(0.729, 0.237)));
+    return vec3(weather_spread(u_weather_bias.x, weather_even(xy, vec2(0.0))), rain,
+                weather_spread(u_weather_bias.y, weather_even(xy, vec2(0.371, 0.613))));
+}
+
+// Coverage, precipitation and gradient coordinate of coverage, precipitation and type (Z04).
+vec3 weather_pulled(vec3 sky) {
+    return vec3(mix(sky.x, max(sky.x, RAINY), sky.y), sky.y, mix(0.5 * sky.z, 1.0, sky.y));
+}
+
+// The map up to a stage at world metres, `camera` in world metres too; w is the weight of the paint.
+vec4 weather_of(vec2 xy, vec2 camera, int stage) {
+    vec3 sky = weather_simulated(xy), weight = vec3(0.0);
+    if (stage > STAGE_SIMULATED && u_weather_painted) {
+        vec2 side = vec2(textureSize(u_layer_weather, 0));
+        vec2 uv = (xy - u_weather_paint_moved) / WEATHER_TILE_M + 0.5 + 0.5 / side;
+        vec4 painted = textureLod(u_layer_weather, uv, 0.0);
+        weight = vec3(painted.w, textureLod(u_layer_weather_more, uv, 0.0).rg);
+        sky = mix(sky, painted.rgb, weight);
+    }
+    if (stage > STAGE_PAINTED) {
+        float share = smoothstep(u_weather_horizon.x, u_weather_horizon.y, distance(xy, camera));
+        sky = mix(sky, vec3(u_weather_horizon.z, 0.0, u_weather_horizon.w), share * (1.0 - weight));
+    }
+    if (stage > STAGE_HORIZON) sky = weather_pulled(sky);
+    return vec4(sky, max(weight.x, max(weight.y, weight.z)));
+}

@@ -1,0 +1,163 @@
+"""The weather map: coverage, precipitation and type of the sky round a camera at a time; twin of shaders/weather.glsl.
+
+Order at every sample: simulation with bias (Z05) → paint by its weights → the horizon's own sky (Z06) → what rains
+becomes cumulonimbus (Z04). Everything is a function of time, so that the clock may be scrubbed both ways. The map is a
+torus of 70 km, asked at the place nearest to the camera; paint and simulation lie in the moving air.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from .layers import WEATHER_GRID
+from .level import Level
+from .settings import Settings
+from .textures import spectral_noise
+
+SIDE = WEATHER_GRID.rows
+TILE_M = WEATHER_GRID.extent_m[0]
+NOISE_SIDE = 256
+STAGES = ("simulated", "painted", "horizon", "final")
+RAINY = 0.7  # coverage that precipitation pulls to (Z04)
+SOFT = 0.15  # of the rain noise's range: from no rain to full rain
+FINE = 0.55  # amplitude of the small pattern against the broad one
+SHIFTS = ((0.0, 0.0), (0.371, 0.613), (0.729, 0.237))  # of coverage, type and rain on the one noise, in tiles
+
+
+@functools.lru_cache(maxsize=4)
+def weather_noise(seed: int) -> np.ndarray:
+    """float32 `(256, 256, 4)` tiling Gaussian noise: a broad pattern and its quarter turn, a fine one and its own.
+
+    `cos a · first + sin a · second` keeps its statistics whatever a is: it grows and decays as a turns.
+    """
+    broad = [spectral_noise(NOISE_SIDE, 7919 * seed + n, 1.2, 3, 9) for n in (1, 2)]
+    fine = [spectral_noise(NOISE_SIDE, 7919 * seed + n, 1.0, 9, 40) for n in (3, 4)]
+    return np.stack([*broad, *fine], -1).astype(np.float16).astype(np.float32)
+
+
+def drift_m(level: Level, time_s: float) -> np.ndarray:
+    """Metres east and north that the air has moved since time zero, within one torus, float64 `(2,)`."""
+    weather = level.settings.weather
+    heading = math.radians(weather.heading_deg)
+    way = np.array([math.sin(heading), math.cos(heading)])
+    return np.mod(way * (weather.wind_mps * time_s), TILE_M)
+
+
+def middle_m(settings: Settings) -> np.ndarray:
+    """World metres of the map's middle at time zero, float64 `(2,)`."""
+    return np.array([settings.weather.east_m, settings.weather.north_m], np.float64)
+
+
+def paint_place(level: Level, time_s: float, x, y):
+    """Metres on the painted map, −35 000 … 35 000, of world points at a time; works on arrays."""
+    weather = level.settings.weather
+    moved = middle_m(level.settings) + (drift_m(level, time_s) if weather.paint_drifts else 0.0)
+    half = TILE_M / 2
+    return tuple((np.asarray(at, np.float64) - off + half) % TILE_M - half for at, off in zip((x, y), moved))
+
+
+def weather_uniforms(level: Level, time_s: float) -> dict:
+    """What weather.glsl asks for besides its settings and textures."""
+    settings = level.settings
+    weather = settings.weather
+    at = time_s / weather.growth_s * float(weather.evolve)
+    broad, fine = 2 * math.pi * (at % 1.0), 2 * math.pi * ((2 * at) % 1.0)
+    drift, middle = drift_m(level, time_s), middle_m(settings)
+    return {
+        "u_weather_turn": (math.cos(broad), math.sin(broad), math.cos(fine), math.sin(fine)),
+        "u_weather_moved": tuple(drift + middle),
+        "u_weather_paint_moved": tuple(middle + drift * float(weather.paint_drifts)),
+        "u_weather_bias": (weather.coverage, weather.type, weather.precipitation, weather.variety),
+        "u_weather_horizon": (
+            weather.horizon_start_m, max(weather.horizon_end_m, weather.horizon_start_m + 1.0),
+            weather.horizon_coverage, weather.horizon_type,
+        ),
+        "u_weather_painted": weather.painted and not level.layers["weather"].neutral,
+    }  # fmt: skip
+
+
+def texel_metres() -> tuple[np.ndarray, np.ndarray]:
+    """x and y of the map's texels, `(512, 512)` each, −35 000 … 35 000."""
+    axis = (np.arange(SIDE) + 0.5) / SIDE * TILE_M - TILE_M / 2
+    return np.meshgrid(axis, axis)
+
+
+def nearest_m(at: np.ndarray, centre: float) -> np.ndarray:
+    """Places of a torus moved by whole tiles to where they are nearest to `centre`."""
+    return at - TILE_M * np.round((at - centre) / TILE_M)
+
+
+def weather_map(level: Level, time_s: float, camera: tuple[float, float], stage: str = "final") -> np.ndarray:
+    """float32 `(512, 512, 4)`: coverage, precipitation, type (final: 0 stratus, 0.5 cumulus, 1 cumulonimbus), weight.
+
+    `camera` is east and north in world metres; texel (i, j) stands for the place nearest to it of texel_metres' torus.
+    """
+    x, y = texel_metres()
+    x, y = nearest_m(x, camera[0]), nearest_m(y, camera[1])
+    return weather_at(level, time_s, x, y, camera, stage)
+
+
+def weather_at(level: Level, time_s: float, x, y, camera=None, stage: str = "final") -> np.ndarray:
+    """float32 `(…, 4)` of the same at world points; without a camera there is no horizon."""
+    uniforms = weather_uniforms(level, time_s)
+    sky = _simulated(level, uniforms, x, y)
+    weight = np.zeros_like(sky)
+    if stage != "simulated" and uniforms["u_weather_painted"]:
+        painted = sample_wrapped(level.layers["weather"].array, *paint_place(level, time_s, x, y))
+        weight = painted[..., 3:]
+        sky = sky + (painted[..., :3] - sky) * weight
+    if stage in ("horizon", "final") and camera is not None:
+        start, end, coverage, kind = uniforms["u_weather_horizon"]
+        away = np.hypot(x - camera[0], y - camera[1])
+        t = np.clip((away - start) / (end - start), 0, 1)
+        share = (t * t * (3 - 2 * t))[..., None] * (1 - weight)
+        sky = sky + (np.array([coverage, 0.0, kind]) - sky) * share
+    if stage == "final":
+        sky = pulled(sky)
+    return np.concatenate([sky, weight.max(axis=-1, keepdims=True)], -1).astype(np.float32)
+
+
+def pulled(sky: np.ndarray) -> np.ndarray:
+    """Coverage, precipitation and gradient coordinate (Z03) of coverage, precipitation and type (Z04)."""
+    coverage, rain, kind = np.moveaxis(sky, -1, 0)
+    coverage = coverage + (np.maximum(coverage, RAINY) - coverage) * rain
+    return np.stack([coverage, rain, 0.5 * kind + (1 - 0.5 * kind) * rain], -1)
+
+
+def _simulated(level: Level, uniforms: dict, x, y) -> np.ndarray:
+    """Coverage, precipitation and type by the simulation alone."""
+    coverage, kind, rain, variety = uniforms["u_weather_bias"]
+    moved, turn = uniforms["u_weather_moved"], uniforms["u_weather_turn"]
+    even = [_even_noise(level.settings.level.seed, x - moved[0], y - moved[1], shift, turn) for shift in SHIFTS]
+    threshold = 1 - rain * (1 + SOFT)
+    t = np.clip((even[2] - threshold) / SOFT, 0, 1)
+    return np.stack([spread(coverage, variety, even[0]), t * t * (3 - 2 * t), spread(kind, variety, even[1])], -1)
+
+
+def spread(mean: float, variety: float, even: np.ndarray) -> np.ndarray:
+    """Numbers in 0 … 1 about a mean from evenly spread ones."""
+    return mean + variety * min(mean, 1 - mean) * (2 * even - 1)
+
+
+def _even_noise(seed: int, x, y, shift: tuple[float, float], turn) -> np.ndarray:
+    """The noise in its present state, evenly spread over 0 … 1."""
+    noise = sample_wrapped(weather_noise(seed), x + shift[0] * TILE_M, y + shift[1] * TILE_M, 0.5)
+    value = (
+        noise[..., 0] * turn[0] + noise[..., 1] * turn[1] + FINE * (noise[..., 2] * turn[2] + noise[..., 3] * turn[3])
+    )
+    return 1 / (1 + np.exp(-1.702 * value / math.hypot(1.0, FINE)))  # close to the normal distribution's integral
+
+
+def sample_wrapped(array: np.ndarray, x, y, centre: float = 0.0) -> np.ndarray:
+    """Bilinear on the torus at metres from its middle; samples stand at `centre` of their cell (0: at its corner)."""
+    side = array.shape[0]
+    u, v = ((np.asarray(at, np.float64) / TILE_M + 0.5) * side - centre for at in (x, y))
+    col, row = np.floor(u).astype(np.int64), np.floor(v).astype(np.int64)
+    fu, fv = (u - col)[..., None], (v - row)[..., None]
+    col0, col1, row0, row1 = col % side, (col + 1) % side, row % side, (row + 1) % side
+    south = array[row0, col0] * (1 - fu) + array[row0, col1] * fu
+    north = array[row1, col0] * (1 - fu) + array[row1, col1] * fu
+    return south * (1 - fv) + north * fv

@@ -1,0 +1,56 @@
+"""The weather map round the camera, made when anything that it follows from has changed (Z04)."""
+
+from __future__ import annotations
+
+from ...level.weather import SIDE, STAGES, weather_noise, weather_uniforms
+from ..frame import Frame
+from ..uniforms import set_uniforms
+
+
+class WeatherMap:
+    """The texture and what it was made for."""
+
+    def __init__(self, ctx) -> None:
+        self.texture = ctx.texture((SIDE, SIDE), 4, dtype="f2")
+        self.texture.filter = ctx.LINEAR, ctx.LINEAR
+        self.framebuffer = ctx.framebuffer([self.texture])
+        self.key: tuple = ()
+
+    def release(self) -> None:
+        self.framebuffer.release()
+        self.texture.release()
+
+
+def draw(frame: Frame) -> None:
+    if not frame.level.settings.clouds.on:
+        return
+    held = frame.renderer.kept
+    made = held.get("weather") or held.setdefault("weather", WeatherMap(frame.renderer.ctx))
+    make_map(frame, made, "final")
+    frame.textures["u_weather"] = made.texture
+
+
+def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
+    """Bring a map up to date as it is after one of STAGES."""
+    level, uploader = frame.level, frame.renderer.uploader
+    values = weather_uniforms(level, frame.time_s)
+    shader = frame.shader("weather.glsl", **bind_weather(frame, values))
+    camera = tuple(float(v) for v in frame.matrices.position[:2])
+    key = *values.values(), stage, camera, level.settings.level.seed, uploader.seen["layer_weather"], shader.generation
+    if made.key == key:
+        return
+    made.framebuffer.use()
+    set_uniforms(shader.program, {**values, "u_stage": STAGES.index(stage), "u_map_side": float(SIDE)})
+    shader.fullscreen()
+    made.key = key
+    frame.stats["weather_maps"] = frame.stats.get("weather_maps", 0) + 1
+
+
+def bind_weather(frame: Frame, values: dict) -> dict[str, str]:
+    """Textures of level/weather.glsl; no defines."""
+    uploader = frame.renderer.uploader
+    frame.textures["u_layer_weather"] = uploader.layer(frame.level, "weather")
+    frame.textures["u_layer_weather_more"] = uploader.textures["u_layer_weather_more"]
+    frame.textures["u_weather_noise"] = uploader.weather_noise(frame.level, weather_noise)
+    frame.uniforms |= values
+    return {}
