@@ -73,6 +73,8 @@ PASSES: tuple[Pass, ...] = (
     Pass("lamps", ("lamps.glsl",), GBUFFER, ("hdr",), "Point lights, land and sea alike.", "D01"),
     Pass("sky", ("sky.glsl",), ("g_eye_depth",), ("hdr",), "Sky where nothing was drawn."),
     Pass("fog", ("fog.glsl",), ("hdr", "g_eye_depth", "u_aerial"), ("picture",), "Air, haze.", "L02 D38"),
+    Pass("clouds", ("clouds.glsl", "cloud_composite.glsl"), ("u_weather", "g_eye_depth", "u_aerial"), ("picture",),
+         "Clouds in volume over sky and land.", "Z02 Z12 Z14 Z15 Z17"),
     Pass("view", ("view.glsl",), (*GBUFFER, "hdr"), ("picture",), "Instead of it: a buffer or a mask.", "T11"),
     Pass("display", ("display.glsl",), ("picture",), ("shown", "display"), "Exposure, curve, sRGB, dither.", once=True),
     Pass("antialias", ("antialias.glsl",), ("shown",), ("display",), "Smooths single frames.", once=True),
@@ -134,6 +136,7 @@ class Renderer:
 
     def __init__(self, ctx, background: bool = False) -> None:
         """`background`: draw with coarse textures while fine ones are made (Textures)."""
+        from .cloud_textures import CloudTextures
         from .program import Programs
         from .sky_textures import SkyTextures
         from .textures import Textures
@@ -144,6 +147,7 @@ class Renderer:
         self.uploader = Uploader(ctx)
         self.generated = Textures(ctx, background)
         self.sky = SkyTextures(ctx)
+        self.clouds = CloudTextures(ctx)
         self.targets: dict[tuple, object] = {}
         self.meshes: dict[int, object] = {}
         self.kept: dict[str, object] = {}  # what passes keep from frame to frame
@@ -259,7 +263,7 @@ class Renderer:
 
     def release(self) -> None:
         """Give back everything on the GPU."""
-        for part in (self.programs, self.uploader, self.generated, self.sky):
+        for part in (self.programs, self.uploader, self.generated, self.sky, self.clouds):
             part.release()
         for held in (self.targets, self.meshes, self.kept):
             _give_back(held)

@@ -38,6 +38,7 @@ class Tier:
     ground_levels: int  # levels of the terrain mesh finer than the level's cells
     openness_size: int  # samples a side of the map of the open sky
     openness_ways: int  # horizons a sample
+    cloud_steps: tuple[float, float]  # of the march through the clouds, overhead and at the horizon (Z14)
 
 
 def _columns(**rows: tuple) -> tuple[dict, ...]:
@@ -65,6 +66,7 @@ _LIGHT = _columns(
     openness_size=(512, 1024, 2048),
     openness_ways=(8, 12, 16),
 )
+_CLOUDS = _columns(cloud_steps=((40.0, 64.0), (64.0, 128.0), (96.0, 192.0)))
 _GROUND = _columns(
     mips_blended=(False, True, True),
     ground_texels=(256, 512, 1024),
@@ -75,9 +77,9 @@ _GROUND = _columns(
 TIERS: dict[str, Tier] = {
     tier.name: tier
     for tier in (
-        Tier("low", **_LAND[0], **_SEA[0], **_LIGHT[0], **_GROUND[0], scale=0.5),
-        Tier("medium", **_LAND[1], **_SEA[1], **_LIGHT[1], **_GROUND[1], scale=1.0),
-        Tier("high", **_LAND[2], **_SEA[2], **_LIGHT[2], **_GROUND[2], scale=1.0),
+        Tier("low", **_LAND[0], **_SEA[0], **_LIGHT[0], **_GROUND[0], **_CLOUDS[0], scale=0.5),
+        Tier("medium", **_LAND[1], **_SEA[1], **_LIGHT[1], **_GROUND[1], **_CLOUDS[1], scale=1.0),
+        Tier("high", **_LAND[2], **_SEA[2], **_LIGHT[2], **_GROUND[2], **_CLOUDS[2], scale=1.0),
     )
 }
 

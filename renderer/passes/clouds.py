@@ -1,0 +1,131 @@
+"""Clouds in volume: an image of half the picture's sides, laid over sky and land (Z12 to Z17)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from ...level.cloud_profile import profile_table
+from ...level.weather import drift_m, middle_m
+from ..frame import Frame
+from ..uniforms import set_uniforms
+
+REACH_M = 55_000.0
+
+
+class CloudImage:
+    """Light and transmittance of the clouds, and how far they are, at half the picture's sides."""
+
+    def __init__(self, ctx, size: tuple[int, int]) -> None:
+        self.size = size
+        self.textures = [ctx.texture(size, 4, dtype="f2"), ctx.texture(size, 1, dtype="f4")]
+        for texture in self.textures:
+            texture.filter = ctx.LINEAR, ctx.LINEAR
+            texture.repeat_x = texture.repeat_y = False
+        self.framebuffer = ctx.framebuffer(self.textures)
+
+    def release(self) -> None:
+        for thing in (self.framebuffer, *self.textures):
+            thing.release()
+
+
+def shown(frame: Frame) -> bool:
+    """Whether the picture has clouds in volume."""
+    return frame.level.settings.clouds.on and "clouds" in frame.show and "sky" in frame.show
+
+
+def half(size: tuple[int, int]) -> tuple[int, int]:
+    """Sides of the clouds' own image."""
+    return (size[0] + 1) // 2, (size[1] + 1) // 2
+
+
+def draw(frame: Frame) -> None:
+    if not shown(frame):
+        return
+    image = _image(frame)
+    march(frame, image)
+    frame.textures |= dict(zip(("u_clouds", "u_clouds_depth"), image.textures, strict=True))
+    _composite(frame)
+
+
+def _image(frame: Frame) -> CloudImage:
+    held, size = frame.renderer.kept, half(frame.size)
+    image = held.get("clouds")
+    if image is None or image.size != size:
+        if image is not None:
+            image.release()
+        image = held["clouds"] = CloudImage(frame.renderer.ctx, size)
+    return image
+
+
+def march(frame: Frame, image: CloudImage) -> None:
+    """March every pixel of the image."""
+    values = cloud_uniforms(frame)
+    shader = frame.shader("clouds.glsl")
+    set_uniforms(shader.program, {**values, "u_cloud_size": image.size, "u_cloud_pixel": (0.0, 0.0, 1.0)})
+    image.framebuffer.use()
+    shader.fullscreen()
+    frame.stats["clouds_marched"] = image.size[0] * image.size[1]
+
+
+def _composite(frame: Frame) -> None:
+    ctx = frame.renderer.ctx
+    frame.targets.picture.use()
+    ctx.enable(ctx.BLEND)
+    ctx.blend_func = ctx.ONE, ctx.SRC_ALPHA
+    frame.shader("cloud_composite.glsl").fullscreen()
+    ctx.disable(ctx.BLEND)
+
+
+def cloud_uniforms(frame: Frame) -> dict:
+    """Values of lib/clouds.glsl, lib/cloud_light.glsl and lib/cloud_march.glsl that are no settings; binds textures."""
+    level, clouds = frame.level, frame.level.settings.clouds
+    bind_cloud_textures(frame)
+    camera = frame.matrices.position
+    return {
+        **air_uniforms(level, frame.time_s),
+        **light_uniforms(frame),
+        "u_planet_m": clouds.planet_km * 1000.0,
+        "u_eye_m": float(camera[2] - level.sea_level_m),
+        "u_cloud_camera": tuple(float(v) for v in camera[:2]),
+        "u_cloud_reach_m": REACH_M,
+        "u_cloud_steps": frame.tier.cloud_steps,
+    }
+
+
+def air_uniforms(level, time_s: float) -> dict:
+    """How the air has moved, each within the tile of what it moves (Z07, Z22)."""
+    settings = level.settings
+    clouds, weather = settings.clouds, settings.weather
+    moved = drift_m(level, time_s) + middle_m(settings)
+    ways = [math.radians(weather.heading_deg + turn) for turn in (0.0, clouds.turn_deg)]
+    evolved = time_s * float(settings.cloud_terms.evolve)
+    risen = clouds.rise_mps * evolved
+    return {
+        "u_cloud_drift": (*np.mod(moved, clouds.scale_m), *np.mod(moved, clouds.detail_m)),
+        "u_cloud_way": tuple(part for way in ways for part in (math.sin(way), math.cos(way))),
+        "u_cloud_rise": (
+            risen / clouds.detail_m % 1.0,
+            0.7 * risen / clouds.curl_m % 1.0,
+            -0.25 * risen / clouds.scale_m % 1.0,
+        ),
+    }
+
+
+def light_uniforms(frame: Frame) -> dict:
+    """The sun on the clouds, and the light from above and from below, as radiance."""
+    sky = frame.renderer.sky.light
+    c = sky.harmonics
+    up = c[0] * 0.282095 + c[6] * 0.630784
+    above, below = up + c[2] * 0.488603, up - c[2] * 0.488603
+    return {
+        "u_cloud_sun": tuple(float(v) for v in sky.disc),
+        "u_cloud_above": tuple(float(v) for v in above / np.pi),
+        "u_cloud_below": tuple(float(v) for v in np.maximum(below, 0.0) / np.pi),
+    }
+
+
+def bind_cloud_textures(frame: Frame) -> None:
+    """Noises and height curves of lib/clouds.glsl."""
+    frame.textures |= frame.renderer.clouds.textures(profile_table(frame.level.settings))
