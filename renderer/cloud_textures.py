@@ -28,9 +28,8 @@ class CloudTextures:
         for name, make in cloud_noise.CLOUD_NOISES.items():
             if name not in self.held:
                 patterns = Path(textures.__file__).read_text()
-                self._put(
-                    name, cached(name.removeprefix("u_"), lambda make=make: make(SEED), cloud_noise.__file__, patterns)
-                )
+                stem, made = name.removeprefix("u_"), partial(make, SEED)
+                self._put(name, cached(stem, made, cloud_noise.__file__, patterns))
         if self._profile is None or not np.array_equal(self._profile, profile):
             self._put_profile(profile)
         return self.held
