@@ -15,7 +15,7 @@ from .textures import spectral_noise
 SHAPE_SIDE, DETAIL_SIDE, CURL_SIDE = 128, 32, 128
 OCTAVES = (0.625, 0.25, 0.125)  # weights of a fBm, each twice as fine as the one before
 SHAPE_CELLS = (4, 8, 16)  # cells a tile of the coarsest octave of G, B and A
-DETAIL_CELLS = (2, 4, 8)
+DETAIL_CELLS = (4, 8, 16)
 PERLIN_CELLS = 4
 PERLIN_OCTAVES = 5
 

@@ -25,10 +25,10 @@ class Clouds(Section):
     planet_km: float = param(
         6371.0, 50, 100_000, "km", "Radius of the planet: a smaller one brings the horizon nearer.", soft=(500, 6371)
     )
-    extinction: float = param(0.06, 0.001, 1, "1/m", "Extinction of the densest cloud.", soft=(0.04, 0.12))
+    extinction: float = param(0.08, 0.001, 1, "1/m", "Extinction of the densest cloud.", soft=(0.04, 0.12))
     scale_m: float = param(7200.0, 500, 60_000, "m", "Size of a tile of the noise that shapes clouds.",
                            soft=(3000, 16_000))  # fmt: skip
-    detail_m: float = param(1050.0, 50, 10_000, "m", "Size of a tile of the noise that erodes their edges.",
+    detail_m: float = param(1500.0, 50, 10_000, "m", "Size of a tile of the noise that erodes their edges.",
                             soft=(400, 3000))  # fmt: skip
     erosion: float = param(0.45, 0, 1, "", "How deep the edges are eroded.")
     curl: float = param(0.35, 0, 2, "", "How far turbulence bends that noise, in tiles.", soft=(0, 1))

@@ -12,6 +12,7 @@ from ..frame import Frame
 from ..uniforms import set_uniforms
 
 REACH_M = 55_000.0
+UNDER_CLOUD = 0.6  # of the light that the ground gives back: part of it lies in their shadow
 
 
 class CloudImage:
@@ -118,7 +119,7 @@ def light_uniforms(frame: Frame) -> dict:
     sky = frame.renderer.sky.light
     c = sky.harmonics
     up = c[0] * 0.282095 + c[6] * 0.630784
-    above, below = up + c[2] * 0.488603, up - c[2] * 0.488603
+    above, below = up + c[2] * 0.488603, (up - c[2] * 0.488603) * (1.0 if sky.even else UNDER_CLOUD)
     return {
         "u_cloud_sun": tuple(float(v) for v in sky.disc),
         "u_cloud_above": tuple(float(v) for v in above / np.pi),

@@ -9,6 +9,7 @@ uniform bool u_cloud_terms_cone, u_cloud_terms_far, u_cloud_terms_beer, u_cloud_
 uniform bool u_cloud_terms_rain, u_cloud_terms_ambient;
 
 const float PI_CLOUD = 3.14159265359;
+const float DIFFUSE = 7.0;  // at a spread of one half a wall of cloud in the sun is four fifths as bright as a white one
 const int CONE = 5;
 const float CONE_M[5] = float[5](35.0, 60.0, 100.0, 170.0, 290.0);  // lengths of the cone's pieces
 const float FAR_M = 1300.0;                                         // length that the far sample stands for
@@ -28,10 +29,14 @@ float cloud_phase(float cosine) {
     return mix(henyey_greenstein(cosine, u_clouds_backward), henyey_greenstein(cosine, u_clouds_forward), u_clouds_silver);
 }
 
-// What of the sun's light is left after an optical depth; light scattered often gets deeper (GPU Pro 7).
-float cloud_beer(float depth) {
-    if (!u_cloud_terms_beer) return 1.0;
-    return max(exp(-depth), u_clouds_spread * exp(-0.25 * depth));
+// What of the sun's light is left after an optical depth (Z08).
+float cloud_beer(float depth) { return u_cloud_terms_beer ? exp(-depth) : 1.0; }
+
+// Light scattered many times, without a direction any more: thick cloud sends back four fifths of it, and lets through
+// what two streams do (asymmetry 0.8).
+float cloud_diffuse(float depth) {
+    float through = u_cloud_terms_beer ? 1.0 / (1.0 + 0.15 * depth) : 1.0;
+    return u_clouds_spread * DIFFUSE / (4.0 * PI_CLOUD) * through;
 }
 
 // The powder effect, only where the view goes the way of the light (Z10): 2 (1 − exp(−2 d)) there, 1 towards the sun.
@@ -77,9 +82,9 @@ float cloud_albedo(float precipitation) {
 vec3 cloud_source(vec3 p, float altitude, float h, float precipitation, float cosine, float phase, float lod, bool cheap) {
     float swallowed = u_cloud_terms_rain ? 1.0 + 2.0 * u_clouds_rain_absorption * precipitation : 1.0;
     float depth = cloud_sun_depth(p, altitude, lod, cheap) * swallowed;
-    vec3 light = u_cloud_sun * (cloud_beer(depth) * cloud_powder(depth, cosine) * phase);
+    vec3 light = u_cloud_sun * ((cloud_beer(depth) * phase + cloud_diffuse(depth)) * cloud_powder(depth, cosine));
     if (u_cloud_terms_ambient) {
-        float above = clamp(h * 1.4 - 0.1, 0.0, 1.0);
+        float above = 0.3 + 0.7 * clamp(h * 1.4 - 0.1, 0.0, 1.0);
         vec3 dark = mix(vec3(1.0), vec3(1.0 - 0.75 * u_clouds_rain_absorption), precipitation * float(u_cloud_terms_rain));
         light += mix(u_cloud_below, u_cloud_above, above) * u_clouds_ambient * dark;
     }

@@ -6,7 +6,8 @@ uniform vec2 u_cloud_steps;       // overhead, at the horizon
 uniform bool u_cloud_terms_cheap_steps, u_cloud_terms_cheap_light;
 
 const float CHEAP = 2.0;          // a cheap step is so many full ones
-const int EMPTY = 6;              // after so many full samples without cloud the steps are cheap again
+const float FINE = 0.5;           // steps inside a cloud, where light changes quickly, against full ones
+const int EMPTY = 8;              // after so many full samples without cloud the steps are cheap again
 const float OPAQUE = 0.004;       // transmittance at which nothing behind counts
 const int MOST_STEPS = 512;
 const float CHEAP_LIGHT = 0.3;    // opacity from which on light is asked without the detail noise
@@ -18,7 +19,11 @@ struct March {
     int samples;        // full ones
 };
 
-float cloud_lod(float away) { return clamp(log2(max(away * u_pixel_angle * 2.0, 1.0) / (u_clouds_scale_m / 128.0)), 0.0, 2.5); }
+// Mip level at which a texel of the shape is as large as a pixel of the image or half a step.
+float cloud_lod(float away, float step_m) {
+    float size = max(away * u_pixel_angle * 2.0, 0.5 * step_m);
+    return clamp(log2(size / (u_clouds_scale_m / 128.0)), -2.0, 2.5);
+}
 
 // `start` 0 … 1: where in the first step it begins.
 March cloud_march(vec3 dir, float start) {
@@ -33,7 +38,7 @@ March cloud_march(vec3 dir, float start) {
     int empty = 0;
     for (int i = 0; i < MOST_STEPS && t < span.y; ++i) {
         vec3 p = dir * t;
-        float altitude = altitude_of(p), h = shell_height(altitude), lod = cloud_lod(t);
+        float altitude = altitude_of(p), h = shell_height(altitude), lod = cloud_lod(t, full * FINE);
         vec2 sheared = cloud_sheared(p.xy, h);
         vec3 weather = cloud_weather(sheared).xyz;
         float base = cloud_base(sheared, altitude, h, weather, lod);
@@ -53,7 +58,7 @@ March cloud_march(vec3 dir, float start) {
         if (extinction > 0.0) {
             empty = 0;
             ++m.samples;
-            float through = exp(-extinction * full);
+            float through = exp(-extinction * full * FINE);
             bool cheap_light = u_cloud_terms_cheap_light && m.transmittance < 1.0 - CHEAP_LIGHT;
             vec3 source = cloud_source(p, altitude, h, weather.y, cosine, phase, lod, cheap_light);
             // energy-conserving: the step's own transmittance integrated, not taken at its start
@@ -64,7 +69,7 @@ March cloud_march(vec3 dir, float start) {
             m.transmittance *= through;
             if (m.transmittance < OPAQUE) break;
         } else if (u_cloud_terms_cheap_steps && ++empty >= EMPTY) cheap = true;
-        t += full;
+        t += full * FINE;
     }
     m.depth_m = weight > 0.0 ? m.depth_m / weight : span.x;
     if (m.transmittance < OPAQUE) {

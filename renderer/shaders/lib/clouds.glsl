@@ -18,7 +18,8 @@ uniform bool u_cloud_terms_inverted, u_cloud_terms_curl;
 
 const float CLOUD_TILE_M = 70000.0;
 const vec3 FBM = vec3(0.625, 0.25, 0.125);
-const float DENSE = 3.2;  // a cloud is as dense as it gets from this part of the range on, away from its edge
+const float DETAIL_LOD = 0.5;  // its texels are finer than those of the shape
+const float DENSE = 1.7;  // over one: from which part of the range on a cloud is as dense as it gets
 
 float remap(float value, float low, float high, float to_low, float to_high) {
     return to_low + (value - low) / (high - low) * (to_high - to_low);
@@ -56,11 +57,19 @@ float cloud_cover(vec3 weather, float h) {
     return pow(weather.x, clamp(remap(h, 0.7, 0.8, 1.0, spread), spread, 1.0));
 }
 
+// From which shape × height on there is cloud, so that a coverage covers that part of the sky seen from above: quantiles
+// of the highest values over a column of cumulus, fitted within 0.03 for covers up to 0.95.
+float cloud_threshold(float cover) {
+    float high = cover * cover;
+    high *= high;
+    return 1.0 - (0.34 * cover + 0.21 * high * high);
+}
+
 // What the cheap steps ask: shape × height × coverage, thinned at the bottom; 0 where there is surely no cloud.
 float cloud_base(vec2 sheared, float altitude, float h, vec3 weather, float lod) {
     float cover = cloud_cover(weather, h), height = cloud_height(weather.z, h);
     if (cover * height <= 0.0) return 0.0;
-    float base = remap(cloud_shape(sheared, altitude, lod) * height, 1.0 - cover, 1.0, 0.0, 1.0);
+    float base = remap(cloud_shape(sheared, altitude, lod) * height, cloud_threshold(cover), 1.0, 0.0, 1.0);
     if (base <= 0.0) return 0.0;
     base *= cover;
     if (u_cloud_terms_thin) base *= mix(1.0, clamp(h * 5.0, 0.0, 1.0), u_clouds_thin);
@@ -76,7 +85,7 @@ float cloud_detail(vec2 sheared, float altitude, float h, float lod) {
         vec3 curl = textureLod(u_cloud_curl, place + vec2(u_cloud_rise.y, 0.5 * u_cloud_rise.y), 0.0).rgb - 0.5;
         at += curl * (u_clouds_curl * (1.0 - clamp(h, 0.0, 1.0)));
     }
-    return textureLod(u_cloud_detail, at, lod).a;
+    return textureLod(u_cloud_detail, at, max(lod + DETAIL_LOD, 0.0)).a;
 }
 
 // Extinction 1/m of a base density: edges eroded, the inside whole.
