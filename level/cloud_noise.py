@@ -87,6 +87,11 @@ def perlin_fbm(side: int, seed: int) -> np.ndarray:
     return _stretched(total)
 
 
+def perlin_slice(seed: int = 7, at: float = 0.37) -> np.ndarray:
+    """uint8 `(128, 128, 1)`: the Perlin noise in the shape, at a height in tiles."""
+    return _bytes(perlin_fbm(SHAPE_SIDE, seed)[int(at * SHAPE_SIDE)])
+
+
 def shape_noise(seed: int = 7) -> np.ndarray:
     """uint8 `(128, 128, 128, 4)`: Perlin-Worley and three Worley octaves, each twice as fine as the one before."""
     cache: dict = {}

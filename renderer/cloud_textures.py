@@ -34,6 +34,13 @@ class CloudTextures:
             self._put_profile(profile)
         return self.held
 
+    def perlin_slice(self):
+        """The Perlin noise that the shape began with, one slice of it: only a view asks for it (Z21)."""
+        if "u_cloud_perlin" not in self.held:
+            values = cached("cloud_perlin", lambda: cloud_noise.perlin_slice(SEED), cloud_noise.__file__)
+            self._put("u_cloud_perlin", values)
+        return self.held["u_cloud_perlin"]
+
     def _put(self, name: str, values: np.ndarray) -> None:
         sides, channels, data = values.shape[:-1][::-1], values.shape[-1], np.ascontiguousarray(values).tobytes()
         make = self.ctx.texture3d if len(sides) == 3 else self.ctx.texture

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ..frame import Frame
-from ..views import RAMPS
+from ..view_row import RAMPS
 
 
 def draw(frame: Frame) -> None:

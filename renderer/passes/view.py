@@ -4,12 +4,16 @@ from __future__ import annotations
 
 from ..frame import Frame
 from ..uniforms import shore_field_uniforms
-from ..views import View
+from ..view_row import View
+from . import cloud_view
 from .sea import bind_water, extent_uniforms, sea_extent
 
 
 def draw(frame: Frame) -> None:
     if not frame.view.value:
+        return
+    if frame.view.sky:
+        cloud_view.draw(frame)
         return
     defines = bind_view(frame, frame.view)
     frame.targets.picture.use()

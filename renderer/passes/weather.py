@@ -36,7 +36,8 @@ def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
     values = weather_uniforms(level, frame.time_s)
     shader = frame.shader("weather.glsl", **bind_weather(frame, values))
     camera = tuple(float(v) for v in frame.matrices.position[:2])
-    key = *values.values(), stage, camera, level.settings.level.seed, uploader.seen["layer_weather"], shader.generation
+    painted = level.layers["weather"], uploader.seen["layer_weather"]
+    key = *values.values(), stage, camera, level.settings.level.seed, *painted, shader.generation
     if made.key == key:
         return
     made.framebuffer.use()

@@ -33,9 +33,9 @@ float cloud_phase(float cosine) {
 float cloud_beer(float depth) { return u_cloud_terms_beer ? exp(-depth) : 1.0; }
 
 // Light scattered many times, without a direction any more: thick cloud sends back four fifths of it, and lets through
-// what two streams do (asymmetry 0.8).
+// what two streams do (asymmetry 0.7).
 float cloud_diffuse(float depth) {
-    float through = u_cloud_terms_beer ? 1.0 / (1.0 + 0.15 * depth) : 1.0;
+    float through = u_cloud_terms_beer ? 1.0 / (1.0 + 0.22 * depth) : 1.0;
     return u_clouds_spread * DIFFUSE / (4.0 * PI_CLOUD) * through;
 }
 
