@@ -23,7 +23,8 @@ VERSION = 1
 MAX_BYTES = 256 << 20
 Metres = Annotated[float, Field(ge=-1e9, le=1e9)]
 Pressure = Annotated[float, Field(ge=0, le=1)]
-Scalar = bool | int | float | str
+Numbers = Annotated[tuple[float, ...], Field(min_length=2)]  # such as the height curve of a cloud
+Scalar = bool | int | float | str | Numbers
 
 
 class Do(BaseModel):
