@@ -216,6 +216,8 @@ class Edits(Objects):
                 self.import_height(action.path, **action.flags)
             case words.Mesh():
                 self.import_mesh(action.path, action.up, action.scale)
+            case words.WeatherImport():
+                self.weather_import(**action.model_dump(exclude={"do"}))
             case words.Plain():
                 PLAIN[action.do](self)
 
