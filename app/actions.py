@@ -80,6 +80,8 @@ def _rows() -> list[Action]:
         Action("save_as", "Save as…", ("Ctrl+Shift+S",), "File", lambda s: s.ask("save_as")),
         Action("import", "Import height…", (), "File", lambda s: s.ask("import")),
         Action("export", "Export…", ("Ctrl+E",), "File", lambda s: s.ask("export")),
+        Action("weather_import", "Import weather map…", (), "File", lambda s: s.ask("weather_import")),
+        Action("weather_export", "Export weather map…", (), "File", lambda s: s.ask("weather_export")),
         Action("quit", "Quit", ("Ctrl+Q",), "File", lambda s: s.ask("quit")),
         Action("undo", "Undo", ("Ctrl+Z",), "Edit", Session.undo, _can_undo, repeats=True),
         Action("redo", "Redo", ("Ctrl+Shift+Z", "Ctrl+Y"), "Edit", Session.redo, _can_redo, repeats=True),

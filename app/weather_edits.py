@@ -35,9 +35,13 @@ class WeatherMaps(Hand):
         self._end_stroke()
         with self._edit(word), self.journal.step(f"Weather map {Path(path).name}") as step:
             self._lay(step, sky, word.opacity)
-        weather = self.level.settings.weather
-        if not (self.level.settings.clouds.on and weather.painted):
-            notes.append(f"{'weather.painted' if self.level.settings.clouds.on else 'clouds.on'} is off: it shows it")
+        settings = self.level.settings
+        off = [
+            name for name, on in (("clouds.on", settings.clouds.on), ("weather.painted", settings.weather.painted))
+            if not on
+        ]  # fmt: skip
+        if off:
+            notes.append(f"{' and '.join(off)} {'is' if len(off) == 1 else 'are'} off, so the map is not seen yet")
         self.notes += notes
         return notes
 
