@@ -94,6 +94,7 @@ def _rows() -> list[Action]:
         Action("outline", "Border of the level", (), "View", lambda s: s.ask("outline")),
         Action("centre", "Centre of the picture", (), "View", lambda s: s.ask("centre")),
         Action("force_inset", "Pushed water in a corner", ("I",), "View", lambda s: s.ask("force_inset")),
+        Action("weather_inset", "Weather map in a corner", ("Shift+I",), "View", lambda s: s.ask("weather_inset")),
         Action("next_view", "Next view", ("F1",), "View", _view(1), repeats=True),
         Action("last_view", "View before", ("Shift+F1",), "View", _view(-1), repeats=True),
         *_show_rows(),
