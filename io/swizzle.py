@@ -82,6 +82,6 @@ def picked(pixels: np.ndarray, channels: Sequence[str], terms: Sequence[Term], n
                 )
             part = pixels[..., places[term.letter]]
             top = np.iinfo(part.dtype).max if part.dtype.kind in "iu" else 1.0
-            part = (part / np.float64(top)).astype(np.float32) if top != 1.0 else part
+            part = np.divide(part, np.float32(top), dtype=np.float32) if top != 1.0 else part
             out[..., number] = 1 - part if term.inverted else part
     return out

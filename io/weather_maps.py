@@ -137,7 +137,7 @@ def _read(path: Path, terms, notes: list[str]) -> np.ndarray:
         notes.append(f"{path.name} has {cols} × {rows} samples: it was stretched to a square")
     elif rows != SIDE:
         notes.append(f"{path.name} has {cols} × {rows} samples: {'averaged' if rows > SIDE else 'interpolated'}")
-    return np.clip(values, 0, 1)
+    return np.clip(values, 0, 1, out=values)
 
 
 def _mended(values: np.ndarray, name: str, blend_m: float, notes: list[str]) -> np.ndarray:

@@ -6,6 +6,8 @@ interpolated where they are coarser.
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from .layers import WEATHER_GRID
@@ -49,35 +51,31 @@ def placed(
 
 def _covered(values: np.ndarray, lefts: list[np.ndarray], widths: list[float], wraps: bool) -> np.ndarray:
     """Means of `values` over the cells that begin at `lefts` (rows, columns) and are `widths` samples wide."""
-    narrow = np.empty((values.shape[0], len(lefts[1]), values.shape[2]), np.float32)
-    for start in range(0, values.shape[0], BLOCK_ROWS):  # a large map never lies in memory as float64
-        block = slice(start, start + BLOCK_ROWS)
-        narrow[block] = _along(values[block].swapaxes(0, 1), lefts[1], widths[1], wraps).swapaxes(0, 1)
-    return np.ascontiguousarray(_along(narrow, lefts[0], widths[0], wraps), np.float32)
+    rows, cols, channels = values.shape
+    down, across = (_shares(left, width, count, wraps) for left, width, count in zip(lefts, widths, (rows, cols)))
+    narrow = np.empty((rows, len(lefts[1]), channels), np.float32)
+    for start in range(0, rows, BLOCK_ROWS):  # a large map never lies in memory as float64
+        block = values[start : start + BLOCK_ROWS].swapaxes(0, 1)
+        made = across @ block.reshape(cols, -1)
+        narrow[start : start + BLOCK_ROWS] = made.reshape(-1, block.shape[1], channels).swapaxes(0, 1)
+    return (down @ narrow.reshape(rows, -1)).reshape(-1, narrow.shape[1], channels).astype(np.float32)
 
 
-def _along(values: np.ndarray, left: np.ndarray, width: float, wraps: bool) -> np.ndarray:
-    """The same along the first axis, float64: area means of cells wider than a sample, else interpolated."""
-    count = len(values)
+def _shares(left: np.ndarray, width: float, count: int, wraps: bool):
+    """Sparse `(cells, count)`: share of each sample in each cell, interpolated where cells are no wider than samples."""
+    from scipy import sparse
+
     if width > 1:
-        total = np.concatenate([np.zeros((1, *values.shape[1:])), np.cumsum(values, axis=0, dtype=np.float64)])
-        return (_integral(total, left + width, wraps) - _integral(total, left, wraps)) / width
-    at = left + (width - 1) / 2
-    first = np.floor(at).astype(np.int64)
-    part = (at - first)[:, None, None]
-    pair = [index % count if wraps else np.clip(index, 0, count - 1) for index in (first, first + 1)]
-    low, high = (values[index].astype(np.float64) for index in pair)
-    return low + (high - low) * part
-
-
-def _integral(total: np.ndarray, at: np.ndarray, wraps: bool) -> np.ndarray:
-    """The sum of all samples before fractional places; past the ends the map goes on, or its last sample does."""
-    count = len(total) - 1
-    turns = np.floor(at / count) if wraps else np.zeros(len(at))
-    inside = at - turns * count
-    whole = np.clip(np.floor(inside), 0, count - 1).astype(np.int64)
-    part = (inside - whole)[:, None, None]
-    return turns[:, None, None] * total[-1] + total[whole] + (total[whole + 1] - total[whole]) * part
+        index = np.floor(left).astype(np.int64)[:, None] + np.arange(math.ceil(width) + 1)
+        low, high = left[:, None], left[:, None] + width
+        share = np.maximum(np.minimum(index + 1, high) - np.maximum(index, low), 0) / width
+    else:
+        at = left + (width - 1) / 2
+        index = np.floor(at).astype(np.int64)[:, None] + np.arange(2)
+        share = 1 - np.abs(index - at[:, None])
+    index = index % count if wraps else np.clip(index, 0, count - 1)
+    rows = np.repeat(np.arange(len(left)), index.shape[1])
+    return sparse.csr_array((share.ravel(), (rows, index.ravel())), shape=(len(left), count))
 
 
 # Seams

@@ -136,3 +136,17 @@ def test_a_crop_far_away_keeps_the_settings_in_range():
         session.crop(160, 80, 504, 504)
         assert abs(session.level.settings.weather.east_m) <= 35_000
         np.testing.assert_allclose(weather_at(session.level, 0.0, x - 160, y - 80), before, atol=1e-6)
+
+
+def test_a_resize_and_another_ground_leave_the_sky_where_it_is(tmp_path):
+    """T08: the corner stays, so does the sky over it, paint and all."""
+    np.savez(tmp_path / "ground.npz", height=make_beach().height)
+    with Session.new(Grid(65, 65, 8.0)) as session:
+        level = session.level
+        level.write("weather", Rect(250, 250, 262, 262), np.random.default_rng(1).random((12, 12, 6)))
+        x, y = np.random.default_rng(2).uniform(0, 500, (2, 200))
+        before = weather_at(level, 300.0, x, y)
+        assert before[:, 3].any()
+        session.resize(samples=100)
+        session.import_height(tmp_path / "ground.npz", cell_m=2.0, rows="south-first")
+        np.testing.assert_array_equal(weather_at(level, 300.0, x, y), before)
