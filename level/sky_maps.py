@@ -62,7 +62,7 @@ def _covered(values: np.ndarray, lefts: list[np.ndarray], widths: list[float], w
 
 
 def _shares(left: np.ndarray, width: float, count: int, wraps: bool):
-    """Sparse `(cells, count)`: share of each sample in each cell, interpolated where cells are no wider than samples."""
+    """Sparse `(cells, count)`: share of each sample in each cell, interpolated where cells are no wider."""
     from scipy import sparse
 
     if width > 1:
