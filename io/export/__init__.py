@@ -33,7 +33,7 @@ EXPORTERS: dict[str, Exporter] = {
         Exporter(
             "raw",
             "Raw files",
-            "The level's own samples: height in 16 bits and float, the ground as GLB, layers as .vti, painted sky as .tif.",
+            "The level's own samples: height in 16 bits and float, ground as GLB, layers as .vti, painted sky as .tif.",
             raw.MAPS,
             raw.export,
         ),
