@@ -15,7 +15,7 @@ uniform vec2 u_inset_wind;  // where it blows to, in the inset; its length is th
 out vec4 out_colour;
 
 const vec3 LINE = vec3(1.0), ARROW = vec3(1.0);
-const float LEAST_PX = 3.0;  // half of a side of the level's border, however small the level is on the map
+const float LEAST_PX = 4.0;  // half of a side of the level's border, however small the level is on the map
 
 float along_line(float away_px, float width_px) {
     return 1.0 - smoothstep(0.5 * width_px, 0.5 * width_px + 1.0, abs(away_px));
@@ -27,9 +27,9 @@ float segment(vec2 at, vec2 a, vec2 b, float width_px) {
 }
 
 // The level's border; `world` metres, `pixel_m` metres a pixel.
-float level_border(vec2 world, float pixel_m) {
+float level_border(vec2 world, float pixel_m, float width_px) {
     vec2 off = abs(world - 0.5 * u_extent_m) / pixel_m - max(0.5 * u_extent_m / pixel_m, vec2(LEAST_PX));
-    return along_line(max(off.x, off.y), 1.2);
+    return along_line(max(off.x, off.y), width_px);
 }
 
 // An arrow in the lower right corner, on a disc that darkens what is under it.
@@ -50,7 +50,8 @@ void main() {
     float pixel_m = u_inset_map.w, disc;
     if (u_stage >= STAGE_HORIZON)
         colour = mix(colour, LINE, 0.35 * along_line((distance(world, u_camera.xy) - u_weather_horizon.x) / pixel_m, 1.0));
-    colour = mix(colour, LINE, 0.9 * level_border(world, pixel_m));
+    colour *= 1.0 - 0.6 * level_border(world, pixel_m, 3.0);
+    colour = mix(colour, LINE, 0.9 * level_border(world, pixel_m, 1.2));
     float arrow = wind_arrow(disc);
     colour = mix(mix(colour, vec3(0.0), 0.55 * disc), ARROW, arrow);
     out_colour = inset_colour(colour);
