@@ -30,17 +30,21 @@ def sky_colours(sky: np.ndarray) -> np.ndarray:
     return sky[..., :3] * weight + 0.12 * (1 - weight)
 
 
-def draw_sky(sky: np.ndarray) -> None:
-    """A small picture of a map `(512, 512, channels)`, north on top, its own item."""
+def sky_inks(sky: np.ndarray) -> list[list[int]]:
+    """Colours of a small picture of a map `(512, 512, channels)`, north on top."""
+    places = (np.arange(CELLS) * SIDE) // CELLS
+    return theme.packed_rows(sky_colours(sky[np.ix_(places, places)])[::-1])
+
+
+def draw_inks(inks: list[list[int]]) -> None:
+    """Such a picture, its own item."""
     corner, draw_list = imgui.get_cursor_screen_pos(), imgui.get_window_draw_list()
     imgui.dummy(imgui.ImVec2(CELLS * CELL_PX, CELLS * CELL_PX))
-    places = (np.arange(CELLS) * SIDE) // CELLS
-    colours = sky_colours(sky[np.ix_(places, places)])[::-1]
     for row in range(CELLS):
         for col in range(CELLS):
             low = imgui.ImVec2(corner.x + col * CELL_PX, corner.y + row * CELL_PX)
             high = imgui.ImVec2(low.x + CELL_PX, low.y + CELL_PX)
-            draw_list.add_rect_filled(low, high, theme.packed(tuple(colours[row, col].tolist())))
+            draw_list.add_rect_filled(low, high, inks[row][col])
 
 
 def layout_combo(label: str, layout: str, names: list[str]) -> str:
@@ -65,7 +69,7 @@ class WeatherImportForm(Form):
         self.layout, self.swizzle, self.opacity = "ours", "", 1.0
         self.blend_m, self.extent_m, self.feather_m, self.at = 0.0, TILE_M, 0.0, ""
         self._key: Any = None  # of what was looked at
-        self._seen: np.ndarray | None = None
+        self._seen: list[list[int]] | None = None
         self._told: list[str] = []
 
     def draw(self) -> None:
@@ -119,12 +123,13 @@ class WeatherImportForm(Form):
             self._key, self._seen, self._told = key, None, []
             if self.field.text.strip():
                 try:
-                    self._seen, self._told = self._read()
+                    sky, self._told = self._read()
+                    self._seen = sky_inks(sky)
                 except (BadInput, OSError) as error:
                     self._told = [str(error)]
         top = imgui.get_cursor_pos()
         if self._seen is not None:
-            draw_sky(self._seen)
+            draw_inks(self._seen)
         imgui.set_cursor_pos(imgui.ImVec2(top.x + CELLS * CELL_PX + 12, top.y))
         imgui.push_text_wrap_pos(WIDE)
         imgui.begin_group()

@@ -54,7 +54,6 @@ def removed(curve: Curve, number: int) -> Curve:
     return curve if len(curve) <= 4 else curve[: 2 * number] + curve[2 * number + 2 :]
 
 
-@functools.lru_cache(maxsize=8)
 def cloud_picture(curves: tuple[Curve, ...], kind: float, cols: int, rows: int) -> np.ndarray:
     """float32 `(rows, cols, 3)`, top first: a cut through a cloud of gradient coordinate `kind`, lit from above."""
     table = np.stack([curve_samples(curve) for curve in curves])
@@ -202,13 +201,17 @@ def _line_at(curves, corner, width: float, mouse) -> int:
     return -1
 
 
+@functools.lru_cache(maxsize=8)
+def _picture_inks(curves: tuple[Curve, ...], kind: float, cols: int, rows: int) -> list[list[int]]:
+    return theme.packed_rows(cloud_picture(curves, kind, cols, rows))
+
+
 def _picture(curves, width: float) -> None:
     """A cut through a cloud of the blend."""
     corner, draw_list = imgui.get_cursor_screen_pos(), imgui.get_window_draw_list()
     imgui.dummy(imgui.ImVec2(width, PICTURE_PX))
     cols, rows = min(int(width / CELL_PX), 128), int(PICTURE_PX / CELL_PX)
-    colours = cloud_picture(curves, round(_state["type"], 2), cols, rows)
-    inks = [[theme.packed(tuple(one)) for one in line] for line in colours.tolist()]
+    inks = _picture_inks(curves, round(_state["type"], 2), cols, rows)
     step = width / (cols - 1)
     for row in range(rows - 1):
         for col in range(cols - 1):
