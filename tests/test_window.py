@@ -221,6 +221,7 @@ def test_skies_by_dialog_and_curves_by_mouse(drive):
     assert found["removed"] == dragged
     assert found["remove_steps"] == 3
     assert found["undone"]
+    assert found["above"] == found["sky_above"]
 
 
 def test_a_killed_editor_offers_what_it_had(drive):

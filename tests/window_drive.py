@@ -21,6 +21,7 @@ from shorewright.app.session import Session
 from shorewright.io.images import write_image
 from shorewright.level.cloud_profile import curve_samples
 from shorewright.level.environments import environment_of
+from shorewright.level.weather import weather_at
 
 CTRL, SHIFT, ALT = imgui.Key.mod_ctrl, imgui.Key.mod_shift, imgui.Key.mod_alt
 LEFT, RIGHT, MIDDLE = 0, 1, 2
@@ -490,6 +491,11 @@ def _curves(hands: Hands) -> None:
     hands.key(CTRL, imgui.Key.z)
     hands.key(CTRL, imgui.Key.z)
     hands.note(undone=curve() == before, before=before)
+    ctx.item_click("//Settings/**/###curve_above")
+    ctx.yield_(2)
+    place = (session.camera.x, session.camera.y)
+    sky = weather_at(session.level, session.clock.time_s, *(np.array([part]) for part in place), place)
+    hands.note(above=curve_editor._state["type"], sky_above=float(sky[0, 2]))
     ctx.mouse_move_to_pos(at(*before[4:6]))
     ctx.yield_(2)
     hands.settle()

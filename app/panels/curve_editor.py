@@ -14,6 +14,7 @@ from imgui_bundle import imgui
 from ...level.cloud_profile import HEIGHTS, KINDS, curve_samples, profile
 from ...level.sky_settings import Curve, curve_points
 from ...level.textures import spectral_noise
+from ...level.weather import weather_at
 from .. import theme
 from ..editor import Editor
 from ..param_widgets import tooltip
@@ -83,10 +84,22 @@ def draw(editor: Editor) -> None:
     _backdrop(corner, width, clouds)
     _lines(curves, corner, width)
     _handles(editor, curves, corner, width)
-    imgui.set_next_item_width(-imgui.FLT_MIN)
+    _blend(editor)
+    _picture(curves, width)
+
+
+def _blend(editor: Editor) -> None:
+    """Which blend is shown: any, or that of the sky over the camera."""
+    imgui.set_next_item_width(-imgui.calc_text_size("Above").x - 28)
     _, _state["type"] = imgui.slider_float("###curve_type", _state["type"], 0.0, 1.0, _blend_text(_state["type"]))
     tooltip("The blend shown: 0 stratus, 0.5 cumulus, 1 cumulonimbus. Changes nothing in the level.")
-    _picture(curves, width)
+    imgui.same_line()
+    if imgui.button("Above###curve_above"):
+        session = editor.session
+        at = session.camera.x, session.camera.y
+        sky = weather_at(session.level, session.clock.time_s, *(np.array([part]) for part in at), at)
+        _state["type"] = float(sky[0, 2])
+    tooltip("Show the blend that the weather map has over the camera now.")
 
 
 def _blend_text(kind: float) -> str:
