@@ -27,6 +27,8 @@ log = logging.getLogger(__name__)
 GLIDE_S = 0.28
 SUN_DEG_PER_PX = 0.3
 FORCE_INSET = Inset("force", heading=True)
+WEATHER_INSET = Inset("weather_map", "lower-left", 0.34)  # Z04
+INSETS = {"force_inset": FORCE_INSET, "weather_inset": WEATHER_INSET}  # requests that switch one on or off
 OVERLAYS = ("walkable", "outline", "centre")
 QUALITIES = ("low", "medium", "high")
 TOLD = {"undo": "Undone: {}", "redo": "Redone: {}"}
@@ -145,9 +147,9 @@ class Editor:
             self._request(self.session.requests.popleft())
 
     def _request(self, request: str) -> None:
-        if request == "force_inset":
-            others = tuple(inset for inset in self.insets if inset != FORCE_INSET)
-            self.insets = others if others != self.insets else (*others, FORCE_INSET)
+        if request in INSETS:
+            others = tuple(inset for inset in self.insets if inset != INSETS[request])
+            self.insets = others if others != self.insets else (*others, INSETS[request])
         elif request in OVERLAYS:
             setattr(self, request, not getattr(self, request))
         else:

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ..level import BadInput, Clock
-from ..level.atoms import Thing
+from ..level.atoms import Thing, Value
 from ..level.params import get, replace
 from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
 from . import recovery_record
@@ -61,12 +61,13 @@ class Edits(Objects):
             resize(self.level, grid)
 
     def crop(self, west_m: float, south_m: float, east_m: float, north_m: float) -> None:
-        """Keep a rectangle of metres, grown to whole cells; its south-west corner becomes 0, 0, objects move along."""
+        """Keep a rectangle of metres, grown to whole cells; its corner becomes 0, 0, objects and sky move along."""
         rect = crop_rect(self.level.grid, west_m, south_m, east_m, north_m)
         word = words.Crop(west_m=west_m, south_m=south_m, east_m=east_m, north_m=north_m)
         self._end_stroke()
         with self._edit(word), self.journal.step("Crop") as step:
             self.journal.whole(step)
+            step.atoms.append(Value(self.level.settings))
             before = {name for name, thing in self.level.objects.items() if self._inside(thing)}
             moved = crop(self.level, rect)
             for name, thing in list(self.level.objects.items()):
@@ -215,6 +216,8 @@ class Edits(Objects):
                 self.import_height(action.path, **action.flags)
             case words.Mesh():
                 self.import_mesh(action.path, action.up, action.scale)
+            case words.WeatherImport():
+                self.weather_import(**action.model_dump(exclude={"do"}))
             case words.Plain():
                 PLAIN[action.do](self)
 

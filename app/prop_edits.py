@@ -9,10 +9,10 @@ from ..level import Level
 from ..level.meshes import STAND_IN
 from ..level.pick import ground_at
 from . import script as words
-from .hand import Hand
+from .weather_edits import WeatherMaps
 
 
-class Props(Hand):
+class Props(WeatherMaps):
     """Taking in meshes, placing props."""
 
     def import_mesh(self, path: Path | str, up: str | None = None, scale: float = 1.0) -> str:

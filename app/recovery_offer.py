@@ -13,11 +13,11 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from ..io.migrate import VERSION, migrate_settings, new_tiles
 from . import recovery_record as record
 
 log = logging.getLogger(__name__)
 SUFFIX = ".recovery"
-VERSION = 2  # that of level.json, whose settings the log holds; older ones are brought forward
 
 
 def default_root() -> Path:
@@ -107,16 +107,16 @@ def rows_of(file) -> Iterator[tuple[int, dict, bytes]]:
 
 
 def changes_of(file) -> Iterator[record.Change]:
-    """The steps in a log, oldest first."""
-    from ..io.migrate import migrate_settings
-
+    """The steps in a log, oldest first; what older versions wrote is brought forward."""
     version = VERSION
     for _, header, payload in rows_of(file):
         version = header["version"] if header["kind"] == "start" else version
         if header["kind"] == "step":
             if "settings" in header:
                 header["settings"] = migrate_settings(header["settings"], version)
-            yield record.decode(header, payload)
+            change = record.decode(header, payload)
+            change.tiles = {layer: new_tiles(layer, tiles) for layer, tiles in change.tiles.items()}
+            yield change
 
 
 def fingerprint(folder: Path) -> str | None:

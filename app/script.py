@@ -23,7 +23,8 @@ VERSION = 1
 MAX_BYTES = 256 << 20
 Metres = Annotated[float, Field(ge=-1e9, le=1e9)]
 Pressure = Annotated[float, Field(ge=0, le=1)]
-Scalar = bool | int | float | str
+Numbers = Annotated[tuple[float, ...], Field(min_length=2)]  # such as the height curve of a cloud
+Scalar = bool | int | float | str | Numbers
 
 
 class Do(BaseModel):
@@ -119,8 +120,36 @@ class Mesh(Do):
     scale: float = Field(1.0, gt=0, le=1e6)
 
 
+class WeatherImport(Do):
+    """A weather map from an image over the painted sky; a relative path starts at the working folder."""
+
+    do: Literal["weather_import"] = "weather_import"
+    path: str
+    layout: str = "ours"
+    swizzle: str = ""
+    weights: str = ""
+    opacity: float = Field(1.0, ge=0, le=1)
+    wrap_blend_m: float = Field(0.0, ge=0, le=35_000)
+    feather_m: float = Field(0.0, ge=0, le=35_000)
+    extent_m: float = Field(70_000.0, gt=0, le=70_000)
+    at: tuple[Metres, Metres] | None = None
+
+
 Action = Annotated[
-    Stroke | Set | SetAll | Time | Plain | Steps | Place | Remove | Rename | Resize | Crop | Import | Mesh,
+    Stroke
+    | Set
+    | SetAll
+    | Time
+    | Plain
+    | Steps
+    | Place
+    | Remove
+    | Rename
+    | Resize
+    | Crop
+    | Import
+    | Mesh
+    | WeatherImport,
     Field(discriminator="do"),
 ]
 ACTION = TypeAdapter(Action)
@@ -175,6 +204,17 @@ def _first(error: ValidationError) -> str:
         return f'"do" must be one of {", ".join(WORDS)}'
     told = f"{first['msg'][0].lower()}{first['msg'][1:]}"
     return f"{'.'.join(path)}: {told}" if path else told
+
+
+def checked(word: type[Do], **fields: Any) -> Any:
+    """A word made from what a caller gave; BadInput names the field that is wrong."""
+    try:
+        return word.model_validate(fields)
+    except ValidationError as error:
+        first = error.errors()[0]
+        told = first["msg"].removeprefix("Value error, ")
+        name = ".".join(str(part) for part in first["loc"])
+        raise BadInput(f"{name} = {first['input']!r}: {told[0].lower()}{told[1:]}") from None
 
 
 def load(path: Path | str) -> Script:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import re
 
+import numpy as np
 from imgui_bundle import hello_imgui, icons_fontawesome_6, imgui
 
 log = logging.getLogger(__name__)
@@ -66,6 +67,12 @@ def colour(rgb: tuple[float, float, float], alpha: float = 1.0) -> imgui.ImVec4:
 def packed(rgb: tuple[float, float, float], alpha: float = 1.0) -> int:
     """A colour as draw lists take it."""
     return imgui.get_color_u32(imgui.ImVec4(*rgb, alpha))
+
+
+def packed_rows(colours: np.ndarray) -> list[list[int]]:
+    """Opaque colours `(rows, cols, 3)`, 0 … 1, as draw lists take them."""
+    parts = np.rint(np.clip(colours, 0, 1) * 255).astype(np.int64)
+    return (parts @ np.array([1, 1 << 8, 1 << 16]) + (255 << 24)).tolist()
 
 
 COLOURS: dict[str, imgui.ImVec4] = {

@@ -9,7 +9,9 @@ import numpy as np
 
 from ..level import LAYERS, BadInput, Grid, Level
 from ..level.grid import TILE
+from .images import read_header
 from .level_json import BASE, grid_of, join, split
+from .migrate import new_sector, old_channels
 from .sectors import check_header, read_sector, write_sector
 
 Stored = tuple[np.ndarray, np.ndarray | None]
@@ -78,13 +80,20 @@ def check_sector(path: Path, grid: Grid, name: str) -> None:
     layer, sector = split(name)
     if not path.exists():
         raise BadInput(f"{path} is missing: level.json lists it; restore it from a copy or delete {name!r} there")
-    check_header(path, grid_of(layer, grid).sector_rect(sector).shape, channels_of(layer))
+    check_header(path, grid_of(layer, grid).sector_rect(sector).shape, channels_of(layer), old_channels(layer))
 
 
 def decode(path: Path, grid: Grid, name: str) -> tuple[np.ndarray, np.ndarray]:
-    """(samples, written tiles) of a sector's file."""
+    """(samples, written tiles) of a sector's file, an old one made new."""
     layer, sector = split(name)
-    return read_sector(path, grid_of(layer, grid).sector_rect(sector).shape, channels_of(layer))
+    shape = grid_of(layer, grid).sector_rect(sector).shape
+    return new_sector(layer, *read_sector(path, shape, channels_of(layer), old_channels(layer)))
+
+
+def is_old(path: Path, name: str) -> bool:
+    """Whether a file is as an older version wrote it, so that the next save writes it anew."""
+    older = old_channels(split(name)[0])
+    return bool(older) and len(read_header(path).channels) in older
 
 
 def put_tiles(level: Level, name: str, samples: np.ndarray, written: np.ndarray) -> None:

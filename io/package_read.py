@@ -14,7 +14,7 @@ import numpy as np
 from ..level import BadInput, Grid, Level
 from . import level_json
 from .level_json import BASE, Manifest
-from .level_sectors import check_sector, decode, file_hash, put_tiles, revision_of
+from .level_sectors import check_sector, decode, file_hash, is_old, put_tiles, revision_of
 from .mesh_files import file_of, read_meshes, wanted
 from .transaction import RECORD, STAGE, pending, where
 
@@ -77,7 +77,7 @@ def _read(folder: Path, notes: list[str]) -> tuple[Level, Saved]:
         level = _fill(manifest, grid, paths, pool)
         hashes = dict(zip(paths, pool.map(file_hash, paths.values())))
     _compare(folder, paths, read_hashes(inside(folder, HASHES, record)), hashes, notes)
-    signatures = {name: signature(path) for name, path in paths.items()}
+    signatures = {name: None if is_old(path, name) else signature(path) for name, path in paths.items()}
     files = {name: inside(folder, file_of(name), record) for name in wanted(level)}
     read_meshes(level, files, notes)
     meshes = {name: signature(files[name]) for name in files if name in level.meshes}

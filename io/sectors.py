@@ -36,22 +36,26 @@ def write_sector(path: Path, samples: np.ndarray, half: bool, written: np.ndarra
     encode(path, image[::-1], channels=names, half=half, data=True, attributes=attributes)
 
 
-def check_header(path: Path, shape: tuple[int, int], channels: int) -> None:
-    """BadInput unless the file is a sector of this size; takes no memory."""
+def check_header(path: Path, shape: tuple[int, int], channels: int, older: tuple[int, ...] = ()) -> None:
+    """BadInput unless the file is a sector of this size, or has the channels of an older one; takes no memory."""
     header = read_header(path)
     if (header.rows, header.cols) != shape:
         size = f"{header.cols} × {header.rows}"
         raise BadInput(f"{path} holds {size} samples where the level needs {shape[1]} × {shape[0]}")
-    if len(header.channels) != file_channels(channels):
+    if len(header.channels) not in (file_channels(channels), *older):
         raise BadInput(f"{path} has {len(header.channels)} channels where its layer needs {file_channels(channels)}")
 
 
-def read_sector(path: Path, shape: tuple[int, int], channels: int) -> tuple[np.ndarray, np.ndarray]:
+def read_sector(
+    path: Path, shape: tuple[int, int], channels: int, older: tuple[int, ...] = ()
+) -> tuple[np.ndarray, np.ndarray]:
     """(samples with row 0 south, written tiles) of a sector; BadInput when it is damaged, of another size, or has NaN.
 
     samples: float32 `(rows, cols)` or `(rows, cols, channels)`, a view; written: bool `(tile rows, tile cols)`.
     """
     header, image = load_image(path)
+    if image.shape[2] in older:
+        channels = image.shape[2]
     if image.shape[:2] != shape or image.shape[2] != file_channels(channels) or image.dtype != np.float32:
         raise BadInput(f"{path} holds {image.shape} samples where the level needs {(*shape, file_channels(channels))}")
     low, high = float(image.min()), float(image.max())  # NaN comes through both

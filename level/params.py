@@ -124,10 +124,21 @@ def _replace(model: Model, path: str, value: Any, whole: str) -> Model:
     if rest:
         return model.model_copy(update={head: _replace(getattr(model, head), rest, value, whole)})
     try:
+        value = _numbers(model, head, value, whole)
         checked = type(model).model_validate({**{n: getattr(model, n) for n in type(model).model_fields}, head: value})
     except ValidationError as error:
         raise BadInput(sentence(error, whole, value)) from None
     return checked
+
+
+def _numbers(model: BaseModel, name: str, value: Any, whole: str) -> Any:
+    """A vector given as text, `0,0.5,1`, as numbers; everything else as it is."""
+    if not isinstance(value, str) or _kind(type(model).model_fields[name].annotation)[0] != "vector":
+        return value
+    try:
+        return tuple(float(part) for part in value.split(","))
+    except ValueError:
+        raise BadInput(f"{whole} takes numbers parted by commas, not {value!r}") from None
 
 
 def sentence(error: ValidationError, name: str, value: Any = None) -> str:
@@ -136,4 +147,5 @@ def sentence(error: ValidationError, name: str, value: Any = None) -> str:
     place = ".".join(str(part) for part in first["loc"])
     name = name if not place or name.endswith(place) else f"{name}: {place}"
     shown = first.get("input", value)
-    return f"{name} = {shown!r}: {first['msg'][0].lower()}{first['msg'][1:]}"
+    told = first["msg"].removeprefix("Value error, ")
+    return f"{name} = {shown!r}: {told[0].lower()}{told[1:]}"

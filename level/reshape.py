@@ -13,8 +13,9 @@ import numpy as np
 from . import earth
 from .errors import BadInput
 from .grid import Grid, Rect
-from .layers import LayerData
+from .layers import WEATHER_GRID, LayerData
 from .level import Level
+from .params import get
 
 
 def resample(values: np.ndarray, shape: tuple[int, int], step: tuple[float, float]) -> np.ndarray:
@@ -89,12 +90,22 @@ def crop_rect(grid: Grid, west_m: float, south_m: float, east_m: float, north_m:
 
 
 def crop(level: Level, rect: Rect) -> tuple[float, float]:
-    """Keep the cells in `rect`, bit for bit; returns how far (x, y) metres the origin moved north-east."""
+    """Keep the cells in `rect`, bit for bit; returns how far (x, y) metres the origin moved north-east.
+
+    The sky stays over the same coast: the middle of its map is counted from the corner (Z04).
+    """
     grid = Grid(*rect.shape, level.grid.cell_m)
     moved = level.grid.to_metres(rect.row0, rect.col0)
     _refill(level, grid, lambda values: np.ascontiguousarray(values[rect.slices]))
     level.georeference = earth.moved(level.georeference, *moved)
+    for name, way in zip(("weather.east_m", "weather.north_m"), moved):
+        level.set(name, _on_torus(get(level.settings, name) - way))
     return moved
+
+
+def _on_torus(metres: float) -> float:
+    """The same place of the weather map's torus, as near to zero as it takes to be a setting."""
+    return math.remainder(metres, WEATHER_GRID.extent_m[0]) if abs(metres) > WEATHER_GRID.extent_m[0] else metres
 
 
 def _refill(level: Level, grid: Grid, change) -> None:

@@ -83,7 +83,8 @@ PASSES: tuple[Pass, ...] = (
          once=True),
     Pass("overlay", ("overlay.glsl", "lines.glsl"), ("g_eye_depth", "under_eye_depth"), ("display",),
          "Brush ring, walkable depth, outline, lines.", "D31 D40", once=True),
-    Pass("insets", ("view.glsl",), GBUFFER, ("display",), "Views in the picture's corners.", "T12", once=True),
+    Pass("insets", ("view.glsl", "weather_inset.glsl"), (*GBUFFER, "u_layer_weather"), ("display",),
+         "Views and the weather map in the picture's corners.", "T12 Z04", once=True),
 )  # fmt: skip
 
 

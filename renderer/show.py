@@ -112,10 +112,10 @@ class Inset:
     @classmethod
     def parse(cls, text: str) -> Inset:
         """From `VIEW[:CORNER[:SIZE[:TURN[:METRES]]]]`, TURN degrees or `heading`; BadInput says what is wrong."""
-        from .views import find_view
+        from .sky_insets import find_inset
 
         view, corner, size, turn, extent = (*text.split(":"), *[""] * 5)[:5]
-        if not find_view(view).inset:
+        if not find_inset(view).inset:
             raise BadInput(f"{view} is drawn for the whole picture alone, so it cannot be an inset")
         corner = corner or "upper-left"
         if corner not in CORNERS or text.count(":") > 4:

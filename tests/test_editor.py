@@ -9,7 +9,7 @@ from shorewright.app import keys, timeline
 from shorewright.app import window as window_module
 from shorewright.app.actions import ACTIONS
 from shorewright.app.brush_ring import along, circle, hidden_by_land, on_screen
-from shorewright.app.editor import Editor
+from shorewright.app.editor import INSETS, Editor
 from shorewright.app.governor import MARGIN, SCALES, Governor
 from shorewright.app.layout import PANELS
 from shorewright.app.menus import INNER, ORDER
@@ -145,6 +145,19 @@ def test_bad_input_is_told_not_raised(editor):
     editor.set("sea.swell_m", 1e9)
     assert editor.messages.toast().bad
     assert editor.session.level.settings.sea.swell_m < 1e9
+
+
+def test_insets_are_switched_by_keys(editor):
+    """T12, Z04: the pushed water and the weather map, each on and off alone."""
+    for _ in range(2):
+        for request, inset in INSETS.items():
+            editor.do(request)
+            editor.tick()
+            assert inset in editor.overlays.insets
+        for request in INSETS:
+            editor.do(request)
+        editor.tick()
+        assert editor.overlays.insets == ()
 
 
 def test_framing_glides_and_overlays_answer_requests(editor):

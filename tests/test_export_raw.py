@@ -25,7 +25,14 @@ def raw(tmp_path):
 
 def test_all_files_are_listed_and_nothing_else(raw):
     _, folder, manifest, _ = raw
-    names = ["bay.shorewright.json", "bay.vti", "bay_height.exr", "bay_height.r16", "bay_terrain.glb"]
+    names = [
+        "bay.shorewright.json",
+        "bay.vti",
+        "bay_height.exr",
+        "bay_height.r16",
+        "bay_terrain.glb",
+        "bay_weather.tif",
+    ]
     assert sorted(path.name for path in folder.iterdir()) == names
     assert sorted([file["name"] for file in manifest["files"]] + [names[0]]) == names
     assert manifest["world"]["sea_level_m"] == 2.0
@@ -136,7 +143,7 @@ def test_vti_holds_the_ground_and_every_written_layer(raw):
     """Points in the level's own order, x east fastest; flow as a vector, the weather map on its own grid left out."""
     import pyvista
 
-    level, folder, manifest, files = raw
+    level, folder, _, files = raw
     image = pyvista.read(folder / files["vti"]["name"])
     assert image.dimensions == (31, 23, 1)
     assert image.spacing == (1.5, 1.5, 1.0)
@@ -151,7 +158,23 @@ def test_vti_holds_the_ground_and_every_written_layer(raw):
     np.testing.assert_array_equal(image.points[33], [2 * 1.5, 1.5, 0])
     assert image.field_data["sea_level_m"][0] == 2.0
     assert [channel["name"] for channel in files["vti"]["channels"]] == ["height", "flow", "foam", "ice"]
-    assert any("weather" in note for note in manifest["notes"])
+
+
+def test_the_painted_sky_is_a_file_of_its_own(raw):
+    """Z04: exact, north first, its grid told; a value out of range is found by the check."""
+    from shorewright.io.images import read_image, write_image
+
+    level, folder, manifest, files = raw
+    record = files["tif"]
+    wanted = level.layers["weather"].array
+    found = read_image(folder / record["name"])
+    np.testing.assert_array_equal(found[::-1], wanted)
+    assert [channel["name"] for channel in record["channels"]] == list(level.layers["weather"].row.channels)
+    assert any("tiling" in line and "row 255, column 256" in line for line in manifest["import_recipe"])
+    row, col = 255, 256
+    assert level.layers["weather"].grid.to_metres(511 - row, col) == (0.0, 0.0)
+    write_image(folder / record["name"], found + np.float32(2), channels=[*"RGBA", "C4", "C5"])
+    assert any(record["name"] in finding for finding in check(folder))
 
 
 @pytest.mark.parametrize(

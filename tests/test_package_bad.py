@@ -208,9 +208,9 @@ def test_migrations_run_in_turn(path, monkeypatch):
         raw["objects"] = raw.pop("things")
         return raw
 
-    monkeypatch.setattr(migrate, "VERSION", 4)
-    monkeypatch.setattr(level_json, "VERSION", 4)
-    monkeypatch.setattr(migrate, "MIGRATIONS", {2: rename, 3: lambda raw: raw | {"georeference": {"crs": "new"}}})
+    monkeypatch.setattr(migrate, "VERSION", 5)
+    monkeypatch.setattr(level_json, "VERSION", 5)
+    monkeypatch.setattr(migrate, "MIGRATIONS", {3: rename, 4: lambda raw: raw | {"georeference": {"crs": "new"}}})
     values = json.loads((path / "level.json").read_text())
     values["things"] = values.pop("objects")
     (path / "level.json").write_text(json.dumps(values))
@@ -218,4 +218,4 @@ def test_migrations_run_in_turn(path, monkeypatch):
     assert list(level.objects) == ["play"]
     assert level.georeference == {"crs": "new"}
     write_level(level, path)
-    assert json.loads((path / "level.json").read_text())["shorewright_level"] == 4
+    assert json.loads((path / "level.json").read_text())["shorewright_level"] == 5

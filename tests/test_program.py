@@ -19,6 +19,7 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "CO
             "light.glsl": ({}, {"WHITE": ""}, {"LAND_FIRST": ""}, {"SEA_ALONE": "", "REFLECTIONS": "", "QUIET": ""}),
             "lamps.glsl": ({}, {"UNDER": ""}), "props.glsl": ({}, {"MARK": ""}), "prop_shadow.glsl": ({}, {"PROP": ""}),
             "plate.glsl": ({"DOWN": ""}, {"ALONG": ""}, {"ACROSS": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
+            "weather_inset.glsl": ({"INSET_MAP": ""},),
             "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)

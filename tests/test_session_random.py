@@ -13,6 +13,7 @@ from shorewright.app.actions import ACTIONS
 from shorewright.app.invariants import broken
 from shorewright.app.session import Session
 from shorewright.brushes import BRUSHES
+from shorewright.io.images import write_image
 from shorewright.level import BadInput, Settings
 from shorewright.level.params import describe
 
@@ -35,6 +36,8 @@ def value_of(row, share):
             return int(row.low + share * (row.high - row.low))
         case "text":
             return ""
+        case "vector":  # a height curve
+            return (0.0, share, 1.0, 1 - share)
     low, high = row.soft or (row.low, row.high)
     return low + share * (high - low)
 
@@ -55,6 +58,7 @@ class AnySession(RuleBasedStateMachine):
         self.root = Path(self.folder.name)
         self.ground = self.root / "ground.npz"
         np.savez(self.ground, height=np.random.default_rng(5).normal(0, 3, (50, 60)).astype(np.float32))
+        self.map = write_image(self.root / "sky.png", np.random.default_rng(6).integers(0, 256, (9, 9, 3), np.uint8))
         self.session = self.fresh("spill")
         self.past, self.future = [state(self.session)], []
         self.merging = None
@@ -125,6 +129,16 @@ class AnySession(RuleBasedStateMachine):
     def change(self, name, share):
         self.release()
         self.session.set(name, value_of(ROWS[name], share))
+        self.did()
+
+    @rule(
+        opacity=part, extent_m=st.floats(300, 70_000), x=st.floats(-1e5, 1e5), swizzle=st.sampled_from(["", "b,-,1-r"])
+    )
+    def sky(self, opacity, extent_m, x, swizzle):
+        """A weather map over the painted sky."""
+        self.release()
+        where = {"extent_m": extent_m, "at": (x, -x / 2), "opacity": opacity}
+        self.session.weather_import(self.map, swizzle=swizzle, **where)
         self.did()
 
     @rule(name=st.sampled_from(["sea.swell_m", "level.sea_level_m"]), shares=st.lists(part, min_size=1, max_size=4))

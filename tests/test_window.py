@@ -8,10 +8,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 from coasts import make_beach
 from shorewright import io
 from shorewright.app.recovery_offer import offers
+from shorewright.io.images import write_image
 from shorewright.level.framing import cameras
 
 pytestmark = pytest.mark.window
@@ -196,6 +198,30 @@ def test_files_by_dialog(drive):
     assert found["original"] == original
     assert found["picture"] == ""
     assert found["recent"] == [str(drive.path), str(saved)]
+
+
+def test_skies_by_dialog_and_curves_by_mouse(drive):
+    """Z03, T04: what is wrong with a map is told in the dialog; each import, drag, point is one step."""
+    values = np.random.default_rng(1).integers(0, 256, (64, 96, 3)).astype(np.uint8)
+    values[:, 48:] = 255
+    write_image(drive.path.parent / "cut.png", values, data=True)
+    found = drive("skies")
+    assert "'q'" in found["error"]
+    assert any("stretched" in line for line in found["told"])
+    assert found["steps"] == ["Weather map cut.png"]
+    assert found["painted"] == 16
+    assert found["written"]
+    assert found["drag_steps"] == 1
+    before, dragged = found["before"], found["dragged"]
+    assert dragged[4] == pytest.approx(before[4] + 0.08, abs=0.02)
+    assert dragged[5] == pytest.approx(before[5] - 0.3, abs=0.03)
+    assert dragged[:4] + dragged[6:] == before[:4] + before[6:]
+    assert len(found["added"]) == len(before) + 2
+    assert found["add_steps"] == 2
+    assert found["removed"] == dragged
+    assert found["remove_steps"] == 3
+    assert found["undone"]
+    assert found["above"] == found["sky_above"]
 
 
 def test_a_killed_editor_offers_what_it_had(drive):

@@ -15,11 +15,13 @@ from imgui_bundle import hello_imgui, imgui
 from shorewright.app import picture as picture_module
 from shorewright.app import window as editor_window
 from shorewright.app.object_markers import shown
-from shorewright.app.panels import gradient, history_panel
+from shorewright.app.panels import curve_editor, gradient, history_panel
 from shorewright.app.preferences import Preferences
 from shorewright.app.session import Session
 from shorewright.io.images import write_image
+from shorewright.level.cloud_profile import curve_samples
 from shorewright.level.environments import environment_of
+from shorewright.level.weather import weather_at
 
 CTRL, SHIFT, ALT = imgui.Key.mod_ctrl, imgui.Key.mod_shift, imgui.Key.mod_alt
 LEFT, RIGHT, MIDDLE = 0, 1, 2
@@ -415,6 +417,88 @@ def restored(hands: Hands) -> None:
     hands.note(leaving=hands.window.dialogs.form.title, shall_exit=hands.editor.shall_exit)
     hands.ctx.item_click("//$FOCUSED/Cancel")
     hands.ctx.yield_(2)
+
+
+def skies(hands: Hands) -> None:
+    """A weather map by its dialog, told about first; height curves of clouds by the mouse; the sky written out."""
+    ctx, session, folder = hands.ctx, hands.session, Path(sys.argv[2]).parent
+    hands.key(imgui.Key.space)
+    ctx.menu_click("//##MainMenuBar/File/Import weather map…")
+    ctx.yield_(2)
+    ctx.item_click("//$FOCUSED/###open_path")
+    ctx.key_chars_replace(str(folder / "cut.png"))
+    ctx.item_click("//$FOCUSED/Channels")
+    ctx.key_chars_replace("r,q,b")
+    ctx.item_click("//$FOCUSED/Import")
+    ctx.yield_(4)
+    hands.note(error=hands.window.dialogs.error)
+    ctx.item_click("//$FOCUSED/Channels")
+    ctx.key_chars_replace("r,0,0.6")
+    ctx.mouse_move("//$FOCUSED/Import")
+    ctx.mouse_click(0)
+    ctx.yield_(6)
+    form = hands.window.dialogs.form
+    if form is not None:  # the click that took the field's focus away
+        ctx.item_click("//$FOCUSED/Import")
+        ctx.yield_(4)
+    hands.note(told=[line.text for line in hands.editor.messages.lines])
+    layer = session.level.layers["weather"]
+    hands.note(steps=[s.label for s in session.journal.done], painted=int(layer.written.sum()))
+    ctx.menu_click("//##MainMenuBar/File/Export weather map…")
+    ctx.item_input_value("//$FOCUSED/###save_path", str(folder / "out.png"))
+    ctx.yield_(4)
+    hands.note(written=(folder / "out.png").exists())
+    _curves(hands)
+
+
+def _curves(hands: Hands) -> None:
+    """Drag a point of cumulus, add one on its line, remove it; each is a step."""
+    ctx, session = hands.ctx, hands.session
+    ctx.item_input_value("//Settings/**/###filter", "density by height")
+    ctx.yield_(4)
+    box = ctx.item_info("//Settings/**/###curves").rect_full
+    corner, width = box.min, box.max.x - box.min.x
+
+    def at(height: float, density: float) -> tuple[float, float]:
+        x, y = curve_editor._to_px(corner, width, height, density)
+        return float(x), float(y)
+
+    def curve() -> tuple:
+        return session.level.settings.clouds.cumulus
+
+    before, count = curve(), len(session.journal.done)
+    ctx.mouse_move_to_pos(at(*before[4:6]))
+    ctx.yield_(2)
+    ctx.mouse_down(LEFT)
+    for part in (0.3, 0.6, 1.0):
+        ctx.mouse_move_to_pos(at(before[4] + 0.08 * part, before[5] - 0.3 * part))
+        ctx.yield_(2)
+    ctx.mouse_up(LEFT)
+    ctx.yield_(2)
+    hands.note(dragged=curve(), drag_steps=len(session.journal.done) - count)
+    line = float(np.interp(0.5, np.linspace(0, 1, 1001), curve_samples(curve(), 1001)))
+    ctx.mouse_move_to_pos(at(0.5, line))
+    ctx.yield_(2)
+    ctx.mouse_click(LEFT)
+    ctx.yield_(2)
+    hands.note(added=curve(), add_steps=len(session.journal.done) - count)
+    ctx.mouse_move_to_pos(at(*curve()[8:10]))
+    ctx.yield_(2)
+    ctx.mouse_click(RIGHT)
+    ctx.yield_(2)
+    hands.note(removed=curve(), remove_steps=len(session.journal.done) - count)
+    hands.key(CTRL, imgui.Key.z)
+    hands.key(CTRL, imgui.Key.z)
+    hands.key(CTRL, imgui.Key.z)
+    hands.note(undone=curve() == before, before=before)
+    ctx.item_click("//Settings/**/###curve_above")
+    ctx.yield_(2)
+    place = (session.camera.x, session.camera.y)
+    sky = weather_at(session.level, session.clock.time_s, *(np.array([part]) for part in place), place)
+    hands.note(above=curve_editor._state["type"], sky_above=float(sky[0, 2]))
+    ctx.mouse_move_to_pos(at(*before[4:6]))
+    ctx.yield_(2)
+    hands.settle()
 
 
 def write(record: dict) -> None:

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 from imgui_bundle import imgui
 
-from ...renderer import VIEWS
 from ...renderer.show import CORNERS, Inset
+from ...renderer.sky_insets import SKY_INSETS, find_inset, inset_views
 from .. import theme
 from ..editor import FORCE_INSET, Editor
 from ..param_widgets import tooltip
@@ -31,7 +31,7 @@ def draw(editor: Editor) -> None:
     if imgui.button(theme.titled("plus", "Add an inset", "add_inset")):
         editor.insets = (*editor.insets, FORCE_INSET if not editor.insets else Inset("flow", _free_corner(editor)))
     imgui.end_disabled()
-    tooltip("A view in a corner of the running picture; I shows the pushed water.")
+    tooltip("A view in a corner of the running picture; I shows the pushed water, Shift+I the sky.")
 
 
 def _free_corner(editor: Editor) -> str:
@@ -42,8 +42,8 @@ def _free_corner(editor: Editor) -> str:
 def _inset(inset: Inset) -> Inset | None:
     """The inset as the widgets leave it; None when it is to go."""
     imgui.set_next_item_width(-34)
-    if imgui.begin_combo("###inset_view", VIEWS[inset.view].label, imgui.ComboFlags_.height_large):
-        for view in (view for view in VIEWS.values() if view.inset):
+    if imgui.begin_combo("###inset_view", find_inset(inset.view).label, imgui.ComboFlags_.height_large):
+        for view in inset_views().values():
             if imgui.selectable(f"{view.label}###inset_{view.name}", view.name == inset.view)[0]:
                 inset = replace(inset, view=view.name)
             tooltip(view.doc)
@@ -57,7 +57,7 @@ def _inset(inset: Inset) -> Inset | None:
     imgui.set_next_item_width(-LABEL_PX)
     changed, size = imgui.slider_float("Size", inset.size, 0.08, 0.9, "%.2f")
     inset = replace(inset, size=min(max(size, 0.05), 1.0)) if changed else inset
-    return _map(inset) if VIEWS[inset.view].mapped else inset
+    return _map(inset) if find_inset(inset.view).mapped else inset
 
 
 def _map(inset: Inset) -> Inset:
@@ -69,5 +69,6 @@ def _map(inset: Inset) -> Inset:
         changed, turn = imgui.slider_float("Turn", inset.turn_deg, -180, 180, "%.0f°")
         inset = replace(inset, turn_deg=min(max(turn, -360.0), 360.0)) if changed else inset
     imgui.set_next_item_width(-LABEL_PX)
-    changed, extent = imgui.slider_float("Across", inset.extent_m, 0, 2000, "%.0f m" if inset.extent_m else "all of it")
+    most = 70_000 if inset.view in SKY_INSETS else 2000
+    changed, extent = imgui.slider_float("Across", inset.extent_m, 0, most, "%.0f m" if inset.extent_m else "all of it")
     return replace(inset, extent_m=min(max(extent, 0.0), 1e6)) if changed else inset

@@ -12,6 +12,7 @@ from ...level.params import Param, describe, get
 from .. import param_widgets
 from ..actions import ACTIONS
 from ..editor import Editor
+from . import curve_editor
 
 OPEN = ("shore", "sea")
 # what is turned most comes first
@@ -73,12 +74,14 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
     if opened:
         imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(7, 4))
         param_widgets.draw_all(
-            [row for row in rows if row is not switch],
+            [row for row in rows if row is not switch and row.name not in curve_editor.PATHS],
             lambda path: get(settings, path),
             lambda path, value, merge: editor.set(path, value, merge),
             editor.session.seal,
         )
         imgui.pop_style_var()
+        if any(row.name in curve_editor.PATHS for row in rows):
+            curve_editor.draw(editor)
         imgui.spacing()
 
 

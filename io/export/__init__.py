@@ -33,7 +33,7 @@ EXPORTERS: dict[str, Exporter] = {
         Exporter(
             "raw",
             "Raw files",
-            "The level's own samples as 16-bit and float height maps, the ground as GLB, every written layer as .vti.",
+            "The level's own samples: height in 16 bits and float, ground as GLB, layers as .vti, painted sky as .tif.",
             raw.MAPS,
             raw.export,
         ),

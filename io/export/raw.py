@@ -19,10 +19,12 @@ MAPS = (
     ("height", "The ground in metres, 16 bits (.r16) and float (.exr), sample for sample."),
     ("mesh", "The ground as a GLB mesh, thinned to its triangle budget where the level is larger."),
     ("layers", "The ground and every other written layer as a VTK image (.vti), for analysis."),
+    ("weather", "The painted sky with its weights, six channels of float in a TIFF; only where something is painted."),
 )
 DOCS = dict(MAPS)
 R16_FORMULA = "height_m = v / 65535 * (max_m - min_m) + min_m"
 METRES = "height_m = value"
+SKY = "part = value, 0 to 1"
 GLB_FORMULA = "x_m = X, y_m = -Z, height_m = Y"
 
 
@@ -36,12 +38,13 @@ def export(job: Job) -> Manifest:
         files.append(_glb(job))
     if "layers" in job.maps:
         files.append(_vti(job))
+    if "weather" in job.maps and not level.layers["weather"].neutral:
+        files.append(_weather(job))
     return Manifest(
         target="raw",
         files=files,
         probes=_probes(job),
         import_recipe=_recipe(job, files),
-        notes=_notes(job),
         **describe(
             level,
             job.name,
@@ -165,6 +168,33 @@ def _vti(job: Job) -> FileRecord:
     )
 
 
+def _weather(job: Job) -> FileRecord:
+    """The painted sky, sample for sample, on its own grid (Z04)."""
+    from ..images import read_image, write_image
+
+    data = job.level.layers["weather"]
+    samples = np.ascontiguousarray(data.array[::-1])
+    path = job.folder / f"{job.name}_weather.tif"
+    names = data.row.channels
+    write_image(path, samples, channels=[*"RGBA", *(f"C{n}" for n in range(4, len(names)))])
+    meanings = {"coverage": "share of the sky under cloud", "precipitation": "rain or snow",
+                "type": "0 stratus, 1 cumulus"}  # fmt: skip
+    channels = [Channel(name=n, meaning=meanings.get(n, f"how much the paint counts: {n}"), unit="") for n in names]
+    return describe_file(
+        path,
+        map="weather",
+        doc=DOCS["weather"],
+        width=data.grid.cols,
+        height=data.grid.rows,
+        bit_depth=32,
+        sample_type="float32",
+        row_0="north",
+        channels=channels,
+        decode=Decode(formula=SKY),
+        max_error_cm=100 * float(np.abs(read_image(path) - samples).max()),
+    )
+
+
 def _probes(job: Job) -> list[Probe]:
     """The level's ground at a 5 × 5 of its samples, counted from the north as the pictures are."""
     grid, height = job.level.grid, job.level.height
@@ -188,12 +218,17 @@ def _recipe(job: Job, files: list[FileRecord]) -> list[str]:
         ".exr": f"{grid.cols} x {grid.rows} float32, channel Y in metres, north row first",
         ".glb": "metres, Y up, north is -Z, the south-west corner at X 0 Z 0",
         ".vti": f"{grid.cols} x {grid.rows} points, south row first, for ParaView or pyvista.read",
+        ".tif": _sky_line(job),
     }
     return [f"{file.name}: {lines[Path(file.name).suffix]}" for file in files] + [
         f"One sample every {grid.cell_m:g} m; the sea lies at height {job.level.sea_level_m:g} m."
     ]
 
 
-def _notes(job: Job) -> list[str]:
-    weather = not job.level.layers["weather"].neutral and "layers" in job.maps
-    return ["The painted weather map is not in these files: it lies on a grid of its own."] if weather else []
+def _sky_line(job: Job) -> str:
+    grid, weather = job.level.layers["weather"].grid, job.level.settings.weather
+    return (
+        f"{grid.cols} x {grid.rows} float32, six channels, north row first, {grid.cell_m:g} m a sample, tiling; its "
+        f"middle (row {grid.rows // 2 - 1}, column {grid.cols // 2}) stands at x {weather.east_m:g}, "
+        f"y {weather.north_m:g} m at time 0"
+    )

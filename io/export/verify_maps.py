@@ -7,7 +7,8 @@ from pathlib import Path
 
 import numpy as np
 
-from ...level import BadInput
+from ...level import LAYERS, BadInput
+from ...level.layers import WEATHER_GRID
 from . import maps, meshes
 from .raw import R16_FORMULA, decode_r16
 from .records import FileRecord, Manifest
@@ -123,7 +124,7 @@ def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     findings: list[str] = []
     ground: np.ndarray | None = None  # north first, metres, exact
     by_suffix = {Path(record.name).suffix: record for record in manifest.files}
-    unknown = sorted(set(by_suffix) - {".r16", ".exr", ".vti", ".glb"})
+    unknown = sorted(set(by_suffix) - {".r16", ".exr", ".vti", ".glb", ".tif"})
     if unknown or len(by_suffix) != len(manifest.files):
         findings.append("the manifest lists files that are no part of a raw export")
     for suffix, read in ((".exr", _read_exr), (".vti", _read_vti)):
@@ -135,7 +136,27 @@ def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
         findings += _raw_words(manifest, by_suffix[".r16"], whole, ground)
     if ".glb" in by_suffix:
         findings += _mesh(manifest, by_suffix[".glb"], whole, ground)
+    if ".tif" in by_suffix:
+        findings += _sky(by_suffix[".tif"], whole)
     return findings
+
+
+def _sky(record: FileRecord, whole: dict[str, Path]) -> Iterator[str]:
+    """Size, channels and range of the painted sky."""
+    from ..images import read_image
+
+    if record.name not in whole:
+        return
+    try:
+        samples = read_image(whole[record.name])
+    except BadInput as error:
+        yield str(error)
+        return
+    row = LAYERS["weather"]
+    if samples.shape != (*WEATHER_GRID.shape, len(row.channels)):
+        yield f"{record.name} holds {samples.shape} samples, the painted sky {(*WEATHER_GRID.shape, len(row.channels))}"
+    elif not (samples.min() >= row.low and samples.max() <= row.high):
+        yield f"{record.name} holds {samples.min()} to {samples.max()}, the painted sky is {row.low} to {row.high}"
 
 
 def _read_exr(path: Path) -> np.ndarray:

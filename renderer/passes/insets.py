@@ -5,12 +5,16 @@ from __future__ import annotations
 import math
 
 from ...level.force import SIDE
+from ...level.weather import STAGES, TILE_M, middle_m, weather_uniforms
 from ..frame import Frame
 from ..show import Inset
-from ..views import RAMPS, View, find_view
+from ..sky_insets import SKY_INSETS, find_inset, stage_of
+from ..views import RAMPS, View
 from .view import bind_view
+from .weather import bind_weather
 
 MARGIN = 0.02  # of the picture's height, between insets and to the border
+STRONG_MPS = 30.0  # the wind whose arrow is as long as it gets
 
 
 def draw(frame: Frame) -> None:
@@ -19,15 +23,11 @@ def draw(frame: Frame) -> None:
         return
     frame.targets.display.use()
     for inset in frame.overlays.insets:
-        view = find_view(inset.view)
+        view = find_inset(inset.view)
         box = _box(inset, view, frame.full_size, used.get(inset.corner, 0.0))
         used[inset.corner] = used.get(inset.corner, 0.0) + box[3] + MARGIN * frame.full_size[1]
-        defines = bind_view(frame, view) | {"INSET": ""}
-        if view.mapped:
-            defines["INSET_MAP"] = ""
-            frame.uniforms |= _map(frame, inset, box[2])
         frame.uniforms["u_inset"] = box
-        shader = frame.shader("view.glsl", **defines)
+        shader = _sky(frame, inset, box) if inset.view in SKY_INSETS else _view(frame, inset, view, box)
         shader.program["u_ramp"].value = RAMPS.index(view.ramp)
         shader.program["u_range"].value = view.low, view.high
         frame.targets.display.scissor = tuple(int(v) for v in box)
@@ -36,6 +36,31 @@ def draw(frame: Frame) -> None:
             shader.fullscreen()
         finally:
             frame.targets.display.scissor = None
+
+
+def _view(frame: Frame, inset: Inset, view: View, box: tuple[float, float, float, float]):
+    """The program of a row of VIEWS."""
+    defines = bind_view(frame, view) | {"INSET": ""}
+    if view.mapped:
+        defines["INSET_MAP"] = ""
+        frame.uniforms |= _map(frame, inset, box[2])
+    return frame.shader("view.glsl", **defines)
+
+
+def _sky(frame: Frame, inset: Inset, box: tuple[float, float, float, float]):
+    """The program of the weather map, with the wind as it is seen in the inset."""
+    defines = bind_weather(frame, weather_uniforms(frame.level, frame.time_s)) | {"INSET_MAP": ""}
+    frame.uniforms |= _map(frame, inset, box[2])
+    weather = frame.level.settings.weather
+    to = math.radians(weather.heading_deg)
+    east, north = math.sin(to), math.cos(to)
+    right_x, right_y, up_x, up_y = frame.uniforms["u_inset_turn"]
+    length = 0.35 + 0.65 * min(weather.wind_mps / STRONG_MPS, 1.0) if weather.wind_mps > 0 else 0.0
+    frame.uniforms |= {
+        "u_inset_wind": (length * (east * right_x + north * right_y), length * (east * up_x + north * up_y)),
+        "u_stage": STAGES.index(stage_of(inset.view)),
+    }
+    return frame.shader("weather_inset.glsl", **defines)
 
 
 def _box(inset: Inset, view: View, size: tuple[int, int], taken: float) -> tuple[float, float, float, float]:
@@ -50,13 +75,16 @@ def _box(inset: Inset, view: View, size: tuple[int, int], taken: float) -> tuple
 
 
 def _map(frame: Frame, inset: Inset, pixels: float) -> dict:
-    """Middle, scale and direction of a map: the pushed water's window, the level, or metres about the camera."""
+    """Middle, scale and direction of a map: the pushed water's window, the sky, the level, or about the camera."""
     x, y, _ = frame.matrices.position
     half = inset.extent_m / 2
     if not half and inset.view.startswith("force"):
         half = frame.level.settings.force.cell_m * SIDE / 2
         west, south, _, stirred = frame.uniforms["u_force_place"]
         x, y = (west + half, south + half) if stirred else (x, y)
+    elif not half and inset.view in SKY_INSETS:
+        half = TILE_M / 2
+        x, y = middle_m(frame.level.settings)
     elif not half:
         east, north = frame.level.grid.extent_m
         x, y, half = east / 2, north / 2, max(east, north) / 2

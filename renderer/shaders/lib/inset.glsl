@@ -24,20 +24,20 @@ Surface inset_surface(vec2 xy, bool sea, float pixel_m) {
                    pixel_m / u_pixel_angle, xy);
 }
 
-// Where the camera stands and which way it looks.
-float inset_needle() {
+// Where the camera stands and which way it looks, so many pixels wider than it is drawn.
+float inset_needle(float wider) {
     vec2 world = u_camera.xy - u_inset_map.xy;
     vec2 at = vec2(dot(world, u_inset_turn.xy), dot(world, u_inset_turn.zw)) / u_inset_map.z;
     vec2 off = (2.0 * inset_part() - 1.0 - at) * 0.5 * u_inset.z;
     float along = dot(off, u_inset_ahead), beside = length(off - u_inset_ahead * clamp(along, 0.0, 12.0));
-    return max(1.0 - smoothstep(2.0, 3.0, length(off)), 1.0 - smoothstep(0.6, 1.6, beside));
+    return max(1.0 - smoothstep(2.0, 3.0, length(off) - wider), 1.0 - smoothstep(0.6, 1.6, beside - wider));
 }
 #endif
 
 vec4 inset_colour(vec3 value) {
     vec3 colour = clamp(shown(value), 0.0, 1.0);
 #ifdef INSET_MAP
-    colour = mix(colour, vec3(1.0, 0.85, 0.3), inset_needle());
+    colour = mix(colour * (1.0 - 0.75 * inset_needle(1.0)), vec3(1.0, 0.85, 0.3), inset_needle(0.0));
 #endif
     vec2 in_px = min(gl_FragCoord.xy - u_inset.xy, u_inset.xy + u_inset.zw - gl_FragCoord.xy);
     return vec4(mix(vec3(0.92), colour, step(FRAME_PX, min(in_px.x, in_px.y))), 1.0);
