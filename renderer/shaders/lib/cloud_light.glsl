@@ -67,8 +67,11 @@ float cloud_sun_depth(vec3 p, float altitude, float lod, bool cheap) {
         }
     }
     if (u_cloud_terms_far) {
-        vec3 off = u_sun_direction * (along + 0.6 * FAR_M);
-        depth += cloud_extinction(p + off, altitude + off.z, lod + 1.0, true) * FAR_M;
+        // what of its length is in the shell: it would else be gone at once where it leaves at the top
+        float room = u_clouds_top_m - altitude - along * u_sun_direction.z;
+        float inside = FAR_M * clamp(room / max(FAR_M * u_sun_direction.z, 1.0), 0.0, 1.0);
+        vec3 off = u_sun_direction * (along + 0.5 * inside);
+        if (inside > 0.0) depth += cloud_extinction(p + off, altitude + off.z, lod + 1.0, true) * inside;
     }
     return depth;
 }

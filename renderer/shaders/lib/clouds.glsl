@@ -18,6 +18,7 @@ uniform bool u_cloud_terms_inverted, u_cloud_terms_curl;
 
 const float CLOUD_TILE_M = 70000.0;
 const vec3 FBM = vec3(0.625, 0.25, 0.125);
+const float LOWEST = 0.5;  // height of the smallest cloud against its curve
 const float DETAIL_LOD = 0.5;  // its texels are finer than those of the shape
 const float DENSE = 1.7;  // over one: from which part of the range on a cloud is as dense as it gets
 
@@ -36,8 +37,11 @@ vec4 cloud_weather(vec2 sheared) {
     return textureLod(u_weather, (u_cloud_camera + sheared) / CLOUD_TILE_M + 0.5, 0.0);
 }
 
-// Density by height of the type at gradient coordinate g.
-float cloud_height(float g, float h) {
+// Density by height of the type at gradient coordinate g; where coverage is small clouds are lower, so that they are
+// domes and towers and no tables.
+float cloud_height(float g, float h, float cover) {
+    h /= LOWEST + (1.0 - LOWEST) * cover;
+    if (h > 1.0) return 0.0;
     if (!u_cloud_terms_height) return step(0.0, h) * step(h, 1.0);
     return textureLod(u_cloud_profile, vec2((h * 63.0 + 0.5) / 64.0, (g * 2.0 + 0.5) / 3.0), 0.0).r;
 }
@@ -61,12 +65,12 @@ float cloud_cover(vec3 weather, float h) {
 // erosion taken off: a fit to counted columns (tests/test_cloud_shape.py counts them again).
 float cloud_threshold(float cover) {
     float high = cover * cover * cover;
-    return 1.0 - (0.12 * min(8.0 * cover, 1.0) + 0.36 * cover + 0.14 * high * high);
+    return 1.0 - (0.155 * min(8.0 * cover, 1.0) + 0.32 * cover + 0.145 * high * high);
 }
 
 // What the cheap steps ask: shape × height × coverage, thinned at the bottom; 0 where there is surely no cloud.
 float cloud_base(vec2 sheared, float altitude, float h, vec3 weather, float lod) {
-    float cover = cloud_cover(weather, h), height = cloud_height(weather.z, h);
+    float cover = cloud_cover(weather, h), height = cloud_height(weather.z, h, weather.x);
     if (cover * height <= 0.0) return 0.0;
     float base = remap(cloud_shape(sheared, altitude, lod) * height, cloud_threshold(cover), 1.0, 0.0, 1.0);
     if (base <= 0.0) return 0.0;
