@@ -45,7 +45,8 @@ class Clouds(Section):
         (0.0, 0.0, 0.06, 0.85, 0.18, 1.0, 0.36, 0.72, 0.62, 0.0), doc="Density of cumulus by height in the shell."
     )
     cumulonimbus: Curve = param(
-        (0.0, 0.0, 0.05, 1.0, 0.3, 0.92, 0.6, 0.75, 0.85, 0.62, 1.0, 0.0), doc="Density of cumulonimbus by height in the shell."
+        (0.0, 0.0, 0.05, 1.0, 0.3, 0.92, 0.6, 0.75, 0.85, 0.62, 1.0, 0.0),
+        doc="Density of cumulonimbus by height in the shell.",
     )
     forward: float = param(0.8, 0, 0.99, "", "Asymmetry of the bright forward lobe: the silver lining.")
     backward: float = param(0.2, 0, 0.9, "", "Asymmetry of the broad lobe.")
