@@ -50,7 +50,7 @@ float cloud_extinction(vec3 p, float altitude, float lod, bool cheap) {
     float h = shell_height(altitude);
     if (h <= 0.0 || h >= 1.0) return 0.0;
     vec2 sheared = cloud_sheared(p.xy, h);
-    float base = cloud_base(sheared, altitude, h, cloud_weather(sheared).xyz, lod);
+    float base = cloud_base(sheared, altitude, h, cloud_weather(sheared).xyz, lod, 0.0);
     if (base <= 0.0) return 0.0;
     return cloud_eroded(base, cheap ? 0.5 : cloud_detail(sheared, altitude, h, lod), h);
 }

@@ -7,6 +7,8 @@ uniform bool u_cloud_terms_cheap_steps, u_cloud_terms_cheap_light;
 
 const float CHEAP = 2.0;          // a cheap step is so many full ones
 const float FINE = 0.5;           // steps inside a cloud, where light changes quickly, against full ones
+const float NEAR_M = 20.0, GROWTH = 0.03;  // within a cloud steps begin with that and grow by this share of the way
+const float SLACK = 0.02;         // of the shape's range: cheap steps take what nearly is a cloud for one
 const int EMPTY = 8;              // after so many full samples without cloud the steps are cheap again
 const float OPAQUE = 0.004;       // transmittance at which nothing behind counts
 const int MOST_STEPS = 512;
@@ -32,21 +34,23 @@ March cloud_march(vec3 dir, float start) {
     if (span.x >= span.y || span.x >= u_cloud_reach_m) return m;
     span.y = min(span.y, u_cloud_reach_m);
     float count = mix(u_cloud_steps.x, u_cloud_steps.y, clamp(1.0 - abs(dir.z) * 2.0, 0.0, 1.0));
-    float full = (span.y - span.x) / count, t = span.x + full * start;
+    float longest = (span.y - span.x) / count, first = min(longest, max(NEAR_M, GROWTH * span.x));
+    float t = span.x + first * FINE * start;
     float cosine = dot(dir, u_sun_direction), phase = cloud_phase(cosine), weight = 0.0;
     bool cheap = u_cloud_terms_cheap_steps;
     int empty = 0;
     for (int i = 0; i < MOST_STEPS && t < span.y; ++i) {
+        float full = min(longest, max(NEAR_M, GROWTH * t));
         vec3 p = dir * t;
         float altitude = altitude_of(p), h = shell_height(altitude), lod = cloud_lod(t, full * FINE);
         vec2 sheared = cloud_sheared(p.xy, h);
         vec3 weather = cloud_weather(sheared).xyz;
-        float base = cloud_base(sheared, altitude, h, weather, lod);
+        float base = cloud_base(sheared, altitude, h, weather, lod, cheap ? SLACK : 0.0);
         if (cheap) {
             if (base > 0.0) {
                 cheap = false;
                 empty = 0;
-                t = max(t - full * (CHEAP - 1.0), span.x + full * start);
+                t = max(t - full * (CHEAP - FINE), span.x + first * FINE * start);
             } else t += full * CHEAP;
             continue;
         }

@@ -68,11 +68,12 @@ float cloud_threshold(float cover) {
     return 1.0 - (0.155 * min(8.0 * cover, 1.0) + 0.32 * cover + 0.145 * high * high);
 }
 
-// What the cheap steps ask: shape × height × coverage, thinned at the bottom; 0 where there is surely no cloud.
-float cloud_base(vec2 sheared, float altitude, float h, vec3 weather, float lod) {
+// What the cheap steps ask: shape × height × coverage, thinned at the bottom; 0 where there is surely no cloud. `slack`
+// lets what nearly is one count.
+float cloud_base(vec2 sheared, float altitude, float h, vec3 weather, float lod, float slack) {
     float cover = cloud_cover(weather, h), height = cloud_height(weather.z, h, weather.x);
     if (cover * height <= 0.0) return 0.0;
-    float base = remap(cloud_shape(sheared, altitude, lod) * height, cloud_threshold(cover), 1.0, 0.0, 1.0);
+    float base = remap(cloud_shape(sheared, altitude, lod) * height, cloud_threshold(cover) - slack, 1.0, 0.0, 1.0);
     if (base <= 0.0) return 0.0;
     base *= sqrt(cover);  // the talk multiplies by it: few clouds, but not thin ones
     if (u_cloud_terms_thin) base *= mix(1.0, clamp(h * 5.0, 0.0, 1.0), u_clouds_thin);
