@@ -52,7 +52,7 @@ class PaintParams(BrushParams):
 class WeatherParams(BrushParams):
     """Targets are numbers of the weather map (Z04); each channel can be left as it is."""
 
-    size_m: float = param(4000.0, 100, 40_000, "m", "Radius.", soft=(300, 20_000))
+    size_m: float = param(4000.0, 1, 40_000, "m", "Radius.", soft=(100, 40_000))
     strength: float = param(1.0, 0, 1, "", "How far the sky comes to what is painted at full pressure.")
     mode: Literal["set", "add", "erase", "smooth"] = param(
         "set",
