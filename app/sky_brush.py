@@ -16,7 +16,7 @@ from ..level.cloud_types import CLOUD_TYPES
 from ..level.grid import NOWHERE
 from ..level.layers import WEATHER_GRID
 from ..level.pick_sky import on_shell
-from ..level.weather import nearest_m, paint_place, weather_at
+from ..level.weather import TILE_M, nearest_m, paint_place, weather_at
 from .brush_ring import POINTS
 from .session import Session
 from .tools import BRUSH
@@ -55,6 +55,14 @@ def drag(session: Session, x: float, y: float) -> Rect:
     if np.hypot(east - last.x, north - last.y) < STILL_CELLS * WEATHER_GRID.cell_m:
         return NOWHERE
     return session.stroke_move(east, north)
+
+
+def fill(session: Session, mode: str = "set") -> Rect:
+    """The brush over the whole map in one stroke: its targets everywhere, or (mode erase) no paint at all."""
+    half = TILE_M / 2
+    values = {"mode": mode, "size_m": half, "falloff": 0.0, "spacing": 1.0, "strength": 1.0, "opacity": 1.0}
+    values |= {"paint_coverage": True, "paint_precipitation": True, "paint_type": True} if mode == "erase" else {}
+    return session.drag(NAME, (0.0, 0.0), (half, half), **values)
 
 
 # What is there

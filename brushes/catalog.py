@@ -161,7 +161,8 @@ BRUSHES: dict[str, Brush] = {
             AlongPath,
             "weather",
             WeatherParams,
-            "Cloud, rain and type of the sky: on the sky itself or on the weather map. Ctrl erases or takes away.",
+            "Cloud, rain and type of the sky, on the sky itself or on the weather map. Ctrl erases or takes away;"
+            " P+click takes the weather there as the target.",
             inverse="Erase weather",
         ),
     )

@@ -11,6 +11,7 @@ from shorewright.app import script as words
 from shorewright.app import sky_brush
 from shorewright.app.map_sight import CLOSEST_M, Sight
 from shorewright.app.session import Session
+from shorewright.brushes import BRUSHES
 from shorewright.level import BadInput, Grid
 from shorewright.level.cloud_types import CLOUD_TYPES
 from shorewright.level.pick_sky import bend_m
@@ -107,6 +108,32 @@ def test_a_hand_that_stands_paints_on_only_as_the_air_moves(session):
     session.clock.time_s = 500.0
     sky_brush.drag(session, 0, 0)
     assert len(session.stroke.samples) == 1
+
+
+def test_the_whole_sky_is_filled_and_erased_in_one_step_each(session):
+    """Every texel of the torus, whatever the brush's size and softness; only the channels that are painted."""
+    sky_brush.choose(session, "stratus")
+    session.set_param("paint_type", False)
+    sky_brush.fill(session)
+    assert len(session.journal.done) == 1
+    np.testing.assert_allclose(sky(session).reshape(-1, 6).min(axis=0), [0.95, 0, 0, 1, 1, 0], atol=1e-3)
+    np.testing.assert_allclose(sky(session).reshape(-1, 6).max(axis=0), [0.95, 0, 0, 1, 1, 0], atol=1e-3)
+    sky_brush.fill(session, "erase")
+    assert not sky(session).any()
+    session.undo()
+    session.undo()
+    assert session.level.layers["weather"].neutral
+    assert session.params["weather"].size_m == 4000
+
+
+def test_parameters_that_mean_nothing_are_not_shown(session):
+    """Targets only where they are painted, the step only where it is added."""
+    idle = BRUSHES["weather"].effect.idle
+    params = session.params["weather"]
+    assert idle(params) == {"step"}
+    assert idle(params.model_copy(update={"paint_type": False})) == {"step", "type"}
+    assert idle(params.model_copy(update={"mode": "add"})) == {"coverage", "precipitation", "type"}
+    assert idle(params.model_copy(update={"mode": "smooth"})) == {"coverage", "precipitation", "type", "step"}
 
 
 def test_the_eyedropper_takes_what_is_shown(session):

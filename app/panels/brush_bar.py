@@ -105,8 +105,9 @@ def draw_parameters(editor: Editor) -> None:
         return
     brush, params = BRUSHES[session.brush], session.params[session.brush]
     _told(brush.label, brush.doc)
+    idle = brush.effect.idle(params)
     param_widgets.draw_all(
-        describe(type(params)),
+        [row for row in describe(type(params)) if row.name not in idle],
         lambda name: getattr(params, name),
         lambda name, value, merge: editor.attempt(session.set_param, name, value),
         lambda: None,

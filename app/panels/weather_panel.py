@@ -12,6 +12,7 @@ from imgui_bundle import imgui
 from ...level.cloud_types import CLOUD_TYPES, CloudType
 from ...level.weather import STAGES, weather_at
 from .. import sky_brush, theme
+from ..actions import ACTIONS
 from ..editor import Editor
 from ..map_sight import Sight
 from ..param_widgets import tooltip
@@ -50,6 +51,7 @@ class WeatherPanel:
         self.sight = replace(self.sight or self._round_camera(), side=side)
         self._map(ctx, side)
         self._controls()
+        self._hints()
         self._swatches()
 
     def release(self) -> None:
@@ -201,9 +203,36 @@ class WeatherPanel:
             " as with every brush; P+left takes the weather under the pointer as the brush's target."
         )
 
+    def _hints(self) -> None:
+        """What keeps the paint from being seen, with a way out."""
+        settings = self.editor.session.level.settings
+        for path, on, text in (
+            ("clouds.on", settings.clouds.on, "Clouds are not drawn."),
+            ("weather.painted", settings.weather.painted, "Painted weather does not count."),
+        ):
+            if on:
+                continue
+            imgui.align_text_to_frame_padding()
+            imgui.text_colored(theme.colour(theme.WARM), text)
+            imgui.same_line()
+            if imgui.button(f"Switch on###on_{path}"):
+                self.editor.set(path, True)
+            tooltip(f"Sets {path}.")
+
     def _swatches(self) -> None:
         """Skies with a name: a click makes one the target of the brush."""
         imgui.separator_text("Paint")
+        for name, title, text, doc in (
+            ("weather.fill", "fill", "All of it", "The brush's targets over the whole sky, as one step."),
+            ("weather.erase", "eraser", "Erase all", "No paint anywhere: the simulation alone, as one step."),
+        ):
+            imgui.begin_disabled(not ACTIONS[name].enabled(self.editor.session))
+            if imgui.button(theme.titled(title, text, name)):
+                self.editor.do(name)
+            imgui.end_disabled()
+            tooltip(doc)
+            imgui.same_line()
+        imgui.new_line()
         session, chosen = self.editor.session, sky_brush.chosen(self.editor.session)
         columns = max(int(imgui.get_content_region_avail().x // 140), 1)
         if not imgui.begin_table("###swatches", columns, imgui.TableFlags_.sizing_stretch_same):

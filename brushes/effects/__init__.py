@@ -70,6 +70,11 @@ class Effect:
         """Which of the brush's channels it writes."""
         return channels
 
+    @classmethod
+    def idle(cls, params: Section) -> frozenset[str]:
+        """Names of parameters that mean nothing as the others are set."""
+        return frozenset()
+
     def begin(self, canvas: Canvas, row: float, col: float) -> None:
         """Freeze what the press decides."""
 

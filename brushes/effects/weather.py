@@ -44,6 +44,16 @@ class Weather(Effect):
         return LABELS[OPPOSITE[params.mode] if invert else params.mode]
 
     @classmethod
+    def idle(cls, params) -> frozenset[str]:
+        return frozenset([*(() if params.mode == "add" else ("step",)),
+                          *(name for name in CHANNELS if not cls._aims(params, name))])  # fmt: skip
+
+    @staticmethod
+    def _aims(params, name: str) -> bool:
+        """Whether a target is painted: by set, and by erase with Ctrl."""
+        return params.mode in ("set", "erase") and getattr(params, f"paint_{name}")
+
+    @classmethod
     def channels(cls, params, channels: tuple[int, ...]) -> tuple[int, ...]:
         painted = [n for n, name in enumerate(CHANNELS) if getattr(params, f"paint_{name}")]
         return tuple(n for value in painted for n in (value, value + 3) if n in channels)
