@@ -40,20 +40,22 @@ def in_hand(session: Session) -> bool:
 
 def press(session: Session, x: float, y: float, invert: bool = False, smooth: bool = False) -> Rect:
     """Begin a stroke at a world place under which the map lies as the clock says."""
-    return session.stroke_begin(
-        *map(float, paint_place(session.level, session.clock.time_s, x, y)), 1.0, invert, smooth
-    )
+    east, north = map(float, paint_place(session.level, session.clock.time_s, x, y))
+    session.sky_hand = x, y
+    return session.stroke_begin(east, north, 1.0, invert, smooth)
 
 
 def drag(session: Session, x: float, y: float) -> Rect:
-    """Go on to a world place, the short way round the torus."""
-    if session.stroke is None or not session.stroke.samples:
+    """Go on to a world place the way the hand went, past the map's border too, and as the air moved meanwhile."""
+    if session.stroke is None or session.sky_hand is None or not session.stroke.samples:
         return NOWHERE
-    last = session.stroke.samples[-1]
+    last, hand = session.stroke.samples[-1], session.sky_hand
     at = paint_place(session.level, session.clock.time_s, x, y)
-    east, north = (float(nearest_m(place, was)) for place, was in zip(at, (last.x, last.y)))
+    ahead = last.x + x - hand[0], last.y + y - hand[1]  # had the air stood still
+    east, north = (float(nearest_m(place, near)) for place, near in zip(at, ahead))
     if np.hypot(east - last.x, north - last.y) < STILL_CELLS * WEATHER_GRID.cell_m:
         return NOWHERE
+    session.sky_hand = x, y
     return session.stroke_move(east, north)
 
 

@@ -49,11 +49,9 @@ class PaintParams(BrushParams):
     mode: Literal["add", "remove", "reset"] = param("add", doc="Put more there, clear it, or leave it to the rules.")
 
 
-class WeatherParams(BrushParams):
-    """Targets are numbers of the weather map (Z04); each channel can be left as it is."""
+class SkyParams(Section):
+    """What is painted on the weather map: targets are its numbers (Z04), each channel can be left as it is."""
 
-    size_m: float = param(4000.0, 1, 40_000, "m", "Radius.", soft=(100, 40_000))
-    strength: float = param(1.0, 0, 1, "", "How far the sky comes to what is painted at full pressure.")
     mode: Literal["set", "add", "erase", "smooth"] = param(
         "set",
         doc="Bring the sky to the targets (Ctrl erases), add to what is there (Ctrl takes away), erase the paint: the"
@@ -66,3 +64,8 @@ class WeatherParams(BrushParams):
     paint_type: bool = param(True, doc="Paint which clouds there are.")
     type: float = param(0.8, 0, 1, "", "Target: 0 flat stratus, 1 heaped cumulus.")
     step: float = param(0.25, 0.01, 1, "", "What the mode add adds in a stroke, or takes away.")
+
+
+class WeatherParams(BrushParams, SkyParams):  # in this order panels show what is painted first
+    size_m: float = param(4000.0, 1, 40_000, "m", "Radius.", soft=(100, 40_000))
+    strength: float = param(1.0, 0, 1, "", "How far the sky comes to what is painted at full pressure.")

@@ -83,16 +83,18 @@ def test_a_stroke_plays_again_at_any_time(session, tmp_path):
         assert sky(saved).tobytes() == sky(session).tobytes()
 
 
-def test_a_hand_goes_the_short_way_over_the_border(session):
-    """World places on both sides of it are neighbours; the map is painted once round nowhere."""
-    edge = TILE_M / 2
+def test_a_hand_goes_on_over_the_border(session):
+    """The map is a torus: a line from one side of it to the other stays a line, however long the hand's steps are."""
+    session.scrub(250.0)
+    edge = TILE_M / 2 + drift_m(session.level, 250.0)[0]
     sky_brush.press(session, edge - 800, 0)
-    sky_brush.drag(session, edge + 900, 0)
-    sky_brush.drag(session, edge + 2600 - TILE_M, 0)  # the same air, told from the other side
+    for x in (edge + 900, edge + 2600, edge + 2600 + 60_000, edge + 40_000):
+        sky_brush.drag(session, x, 0)
     xs = [sample.x for sample in session.stroke.samples]
-    assert np.diff(xs) == pytest.approx([1700, 1700])
+    assert np.diff(xs) == pytest.approx([1700, 1700, 60_000, -22_600])
     session.stroke_end()
-    assert 0 < (sky(session)[..., 3] > 0).mean() < 0.05
+    assert (sky(session)[..., 3] > 0).any(axis=0).all()
+    assert (sky(session)[..., 3] > 0).mean() < 0.2
 
 
 def test_a_hand_that_stands_paints_on_only_as_the_air_moves(session):
