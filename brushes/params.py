@@ -67,5 +67,5 @@ class SkyParams(Section):
 
 
 class WeatherParams(BrushParams, SkyParams):  # in this order panels show what is painted first
-    size_m: float = param(4000.0, 1, 40_000, "m", "Radius.", soft=(100, 40_000))
+    size_m: float = param(4000.0, 0.01, 40_000, "m", "Radius.", soft=(100, 40_000))
     strength: float = param(1.0, 0, 1, "", "How far the sky comes to what is painted at full pressure.")
