@@ -118,8 +118,8 @@ def test_the_whole_sky_is_filled_and_erased_in_one_step_each(session):
     session.set_param("paint_type", False)
     sky_brush.fill(session)
     assert len(session.journal.done) == 1
-    np.testing.assert_allclose(sky(session).reshape(-1, 6).min(axis=0), [0.95, 0, 0, 1, 1, 0], atol=1e-3)
-    np.testing.assert_allclose(sky(session).reshape(-1, 6).max(axis=0), [0.95, 0, 0, 1, 1, 0], atol=1e-3)
+    np.testing.assert_allclose(sky(session).reshape(-1, 6).min(axis=0), [1, 0, 0, 1, 1, 0], atol=1e-3)
+    np.testing.assert_allclose(sky(session).reshape(-1, 6).max(axis=0), [1, 0, 0, 1, 1, 0], atol=1e-3)
     sky_brush.fill(session, "erase")
     assert not sky(session).any()
     session.undo()
