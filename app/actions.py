@@ -10,11 +10,12 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from ..brushes import BRUSHES
+from ..level.cloud_types import CLOUD_TYPES
 from ..level.environments import ENVIRONMENTS
 from ..level.framing import frame
 from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
-from . import placing
+from . import placing, sky_brush
 from .session import Session
 from .tools import BRUSH, SELECT, TOOLS, Tool, pick_tool, put_away
 
@@ -120,7 +121,19 @@ def _rows() -> list[Action]:
             Action(f"brush.{brush.name}", brush.label, (brush.key,) if brush.key else (), "Brush", _brush(brush.name))
             for brush in BRUSHES.values()
         ),
+        Action("weather.fill", "Paint all of the sky", (), "Brush", sky_brush.fill),
+        Action(
+            "weather.erase", "Erase all painted weather", (), "Brush", lambda s: sky_brush.fill(s, "erase"), _has_sky
+        ),
+        *(
+            Action(f"cloud.{row.name}", row.label, (), "Clouds to paint", _cloud(row.name))
+            for row in CLOUD_TYPES.values()
+        ),
     ]
+
+
+def _cloud(name: str) -> Callable[[Session], None]:
+    return lambda session: sky_brush.choose(session, name)
 
 
 def _tool(name: str) -> Callable[[Session], None]:
@@ -149,6 +162,14 @@ def _can_abort(session: Session) -> bool:
 
 def _has_object(session: Session) -> bool:
     return session.selected in session.level.objects
+
+
+def _erase_sky(session: Session) -> object:
+    return sky_brush.fill(session, "erase")
+
+
+def _has_sky(session: Session) -> bool:
+    return not session.level.layers["weather"].neutral
 
 
 def _view(step: int) -> Callable[[Session], None]:

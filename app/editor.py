@@ -64,6 +64,7 @@ class Editor:
         self.centre = False
         self.insets: tuple[Inset, ...] = ()  # T12
         self.typing = False  # a text field has the keyboard
+        self.map_pointer: tuple[float, float, float] | None = None  # the sky over what the weather panel points at
         self.flying = False  # the right button is held: letters steer
         self.shall_exit = False
         self.asked: list[str] = []  # requests for dialogs, oldest first

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from imgui_bundle import hello_imgui, imgui
 
-VERSION = 3  # another number forgets the layouts people saved, as after a change of PANELS
+VERSION = 4  # another number forgets the layouts people saved, as after a change of PANELS
 BRUSHES_PX = 80
 SIDE_PX = 326
 TIMELINE_PX = 46
@@ -35,6 +35,7 @@ PANELS: tuple[Panel, ...] = (
     Panel("Brushes", "brushes", bare=True),
     Panel("Brush", "brush"),
     Panel("Settings", "side"),
+    Panel("Weather map", "side"),
     Panel("Objects", "side"),
     Panel("Views", "side"),
     Panel("Layers", "side"),

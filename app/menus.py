@@ -11,7 +11,7 @@ from .editor import OVERLAYS, QUALITIES, Editor
 from .tools import BRUSH
 
 ORDER = ("File", "Edit", "Brush", "Light", "Place", "Time", "View")
-INNER = {"In the middle": "Place"}  # menus within others
+INNER = {"In the middle": "Place", "Clouds to paint": "Brush"}  # menus within others
 RULED = {
     "import", "weather_import", "quit", "abort", "frame", "next_view", "brush.raise", "tool.prop", "prop_file",
     "object.delete",
@@ -19,6 +19,7 @@ RULED = {
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),
     ("L + left", "turn and lift the sun"),
+    ("P + left", "with the weather brush: take the weather there as its target"),
     ("Alt + left, or middle", "orbit about what is under the pointer"),
     ("Shift + middle, Alt + middle", "pan"),
     ("Wheel, Alt + right", "zoom to the pointer"),

@@ -55,6 +55,8 @@ class Session(Edits):
         self.view = "final"
         self.camera: Camera = self._first_camera()
         self.cursor: tuple[float, float, float] | None = None  # ground under the pointer
+        self.sky_cursor: tuple[float, float, float] | None = None  # and the clouds' shell, with a brush for it in hand
+        self.sky_hand: tuple[float, float] | None = None  # where in the world a stroke on the weather map has come to
         self.requests: deque[str] = deque()  # what a window has to ask the person, such as "open"
         self._saved: Any = self._mark()
         self._changed()

@@ -6,7 +6,7 @@ import time
 
 from imgui_bundle import imgui
 
-from . import theme
+from . import sky_brush, theme
 from .editor import Editor
 from .panels.history_panel import bytes_text
 from .picture import Picture
@@ -16,12 +16,21 @@ _memory = {"at": -1e9, "bytes": 0}
 
 
 def draw(editor: Editor, picture: Picture | None) -> None:
-    probe = editor.probe()
-    imgui.text_unformatted(sentence(probe) if probe else "Point at the ground to read it")
+    imgui.text_unformatted(_pointed(editor))
     right = f"{_speed(editor, picture)}      memory {bytes_text(resident_bytes())}"
     width = imgui.calc_text_size(right).x
     imgui.same_line(max(imgui.get_window_width() - width - 14, 0))
     imgui.text_colored(theme.colour(theme.INK_FAINT), right)
+
+
+def _pointed(editor: Editor) -> str:
+    """What is under the pointer: the ground, or the weather with a brush for it in hand."""
+    session = editor.session
+    if sky_brush.in_hand(session):
+        point = session.sky_cursor or editor.map_pointer
+        return sky_brush.sentence(sky_brush.sky_at(session, *point[:2])) if point else sky_brush.ELSEWHERE
+    probe = editor.probe()
+    return sentence(probe) if probe else "Point at the ground to read it"
 
 
 def _speed(editor: Editor, picture: Picture | None) -> str:

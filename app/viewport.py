@@ -5,7 +5,7 @@ from __future__ import annotations
 from imgui_bundle import imgui
 
 from ..renderer import SHOW_FLAGS, VIEWS
-from . import theme
+from . import sky_brush, theme
 from .actions import ACTIONS
 from .editor import QUALITIES, Editor
 from .marker_overlay import MarkerOverlay
@@ -58,6 +58,8 @@ class Viewport:
         preview = session.stroke.preview() if session.stroke else None
         if preview and "start" in preview:
             overlay.ramp(preview)
+        elif sky_brush.in_hand(session):
+            self._sky_ring(overlay, hovered)
         elif session.tool == BRUSH and session.cursor and self._brushing(hovered):
             io = imgui.get_io()
             stroke = session.stroke
@@ -74,6 +76,15 @@ class Viewport:
             overlay.corner_text(f"{theme.icon('pause')}  paused at {session.clock.time_s:.2f} s", theme.WARM)
         overlay.toast()
         draw_list.pop_clip_rect()
+
+    def _sky_ring(self, overlay: Overlay, hovered: bool) -> None:
+        """The brush on the shell of clouds, where the pointer is here or on the weather map."""
+        session, io = self.editor.session, imgui.get_io()
+        point = session.sky_cursor if self._brushing(hovered) else self.editor.map_pointer
+        if point is None:
+            return
+        held = session.stroke or sky_brush.Held(io.key_ctrl, io.key_shift)
+        overlay.ring(point, held.invert, held.smooth, sky=True)
 
     def _brushing(self, hovered: bool) -> bool:
         return self.pointer.mode == "stroke" or (hovered and not self.pointer.mode)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from imgui_bundle import imgui
 
-from . import theme
+from . import sky_brush, theme
 from .brush_ring import ScreenLine, along, circle, on_screen
 from .camera_control import to_screen
 from .editor import Editor
@@ -39,18 +39,24 @@ class Overlay:
 
     # The brush
 
-    def ring(self, point: tuple[float, float, float], invert: bool, smooth: bool) -> None:
-        """Outer and inner circle of the brush in hand and its fall-off between them."""
+    def ring(self, point: tuple[float, float, float], invert: bool, smooth: bool, sky: bool = False) -> None:
+        """Outer and inner circle of the brush in hand and its fall-off between them, on the ground or in the sky."""
         session = self.editor.session
         params = session.params[session.brush]
         size_m, inner_m = params.size_m, getattr(params, "inner_m", 0.0)
         ink = theme.BLUE if smooth else theme.WARM if invert else theme.INK
-        self.line(circle(session.level, point[0], point[1], size_m), ink, 0.95, 1.8)
+
+        def around(radius_m: float) -> np.ndarray:
+            if sky:
+                return sky_brush.shell_circle(session, point, radius_m)
+            return circle(session.level, point[0], point[1], radius_m)
+
+        self.line(around(size_m), ink, 0.95, 1.8)
         if size_m * 0.04 < inner_m < size_m * 0.96:
-            self.line(circle(session.level, point[0], point[1], inner_m), ink, 0.55, 1.1)
+            self.line(around(inner_m), ink, 0.55, 1.1)
         for part in (1 / 3, 2 / 3):
             radius_m = size_m + (inner_m - size_m) * part
-            self.line(circle(session.level, point[0], point[1], radius_m), ink, 0.12 + 0.14 * part, 1)
+            self.line(around(radius_m), ink, 0.12 + 0.14 * part, 1)
 
     def ramp(self, preview: dict) -> None:
         """The ramp being dragged: middle line, edges, and beside the pointer its grade and front speed (D31)."""

@@ -1,6 +1,7 @@
 """The pointer in the viewport: strokes with the left button, camera with the others.
 
 Left: brush (Ctrl inverts, Shift smooths), or what the object tool in hand does (object_grip.py). L+left: the sun.
+With the weather brush the left button works on the sky; P+left takes the weather there as the brush's target.
 Alt+left or middle: orbit. Shift+middle or Alt+middle: pan. Alt+right: dolly. Right held: look round and fly with
 W A S D Q E, Shift faster; the wheel then sets the speed, else it zooms to the pointer.
 """
@@ -11,8 +12,10 @@ import numpy as np
 from imgui_bundle import imgui
 
 from ..level.pick import pick_ray
+from ..level.pick_sky import pick_sky
 from ..renderer.camera import camera_matrices
 from . import camera_control as control
+from . import sky_brush
 from .editor import Editor
 from .object_grip import Grip
 from .tools import BRUSH
@@ -23,7 +26,10 @@ FASTER = 4.0
 
 
 class Pointer:
-    """What the pressed buttons mean until released; `mode` is "", stroke, object, sun, orbit, pan, dolly, fly, dead."""
+    """What the pressed buttons mean until released.
+
+    `mode` is "", stroke, take, object, sun, orbit, pan, dolly, fly, dead.
+    """
 
     def __init__(self, editor: Editor) -> None:
         self.editor = editor
@@ -32,6 +38,7 @@ class Pointer:
         self.grip = Grip(editor)
         self._pivot: np.ndarray | None = None
         self._picked: tuple = (None, None)
+        self._picked_sky: tuple = (None, None)
 
     # Once a frame
 
@@ -42,8 +49,9 @@ class Pointer:
         valid = imgui.is_mouse_pos_valid()
         if (hovered or self.mode) and valid:
             self.editor.session.cursor = self._pick(where, size)
+            self.editor.session.sky_cursor = self._pick_sky(where, size)
         elif not self.mode:
-            self.editor.session.cursor = None
+            self.editor.session.cursor = self.editor.session.sky_cursor = None
         if not self.mode and hovered and valid:
             self._press(io, where, size)
             if io.mouse_wheel and not self.mode:
@@ -62,6 +70,7 @@ class Pointer:
         alt = io.key_alt
         if self.button == LEFT:
             work = "stroke" if self.editor.session.tool == BRUSH else "object"
+            work = "take" if imgui.is_key_down(imgui.Key.p) and sky_brush.in_hand(self.editor.session) else work
             self.mode = "sun" if imgui.is_key_down(imgui.Key.l) else "orbit" if alt else work
         elif self.button == MIDDLE:
             self.mode = "pan" if io.key_shift or alt else "orbit"
@@ -70,6 +79,8 @@ class Pointer:
         session = self.editor.session
         if self.mode == "stroke":
             self._begin_stroke(io)
+        elif self.mode == "take":
+            self._take()
         elif self.mode == "object":
             self.mode = "object" if self.grip.press(where, size, io.key_ctrl, io.key_shift) else "dead"
         else:
@@ -88,19 +99,33 @@ class Pointer:
 
     def _begin_stroke(self, io) -> None:
         session = self.editor.session
-        if session.cursor is None:
+        sky = sky_brush.in_hand(session)
+        point = session.sky_cursor if sky else session.cursor
+        if point is None:
             self.mode = "dead"
             return
-        x, y, _ = session.cursor
-        done = self.editor.attempt(session.stroke_begin, x, y, 1.0, io.key_ctrl, io.key_shift)
+        x, y, _ = point
+        if sky:
+            done = self.editor.attempt(sky_brush.press, session, x, y, io.key_ctrl, io.key_shift)
+        else:
+            done = self.editor.attempt(session.stroke_begin, x, y, 1.0, io.key_ctrl, io.key_shift)
         if done is None:
             self.mode = "dead"
+
+    def _take(self) -> None:
+        """The eyedropper: the weather that is pointed at becomes the brush's target."""
+        session, self.mode = self.editor.session, "dead"
+        if session.sky_cursor is not None:
+            self.editor.attempt(sky_brush.take, session, *session.sky_cursor[:2])
 
     def _move_stroke(self) -> None:
         session = self.editor.session
         if session.stroke is None or not session.stroke.open:
             self.mode = "dead"  # Esc or an undo ended it: nothing until the button is let go
             session.stroke_abort()
+        elif session.stroke.brush.layer == sky_brush.NAME:
+            if session.sky_cursor is not None:
+                self.editor.attempt(sky_brush.drag, session, *session.sky_cursor[:2])
         elif session.cursor is not None:
             x, y, _ = session.cursor
             last = session.stroke.samples[-1] if session.stroke.samples else None
@@ -168,10 +193,23 @@ class Pointer:
         matrices = camera_matrices(session.camera, size)
         ray = matrices.ray(*where, size)
         point = pick_ray(session.level, matrices.position, ray)
-        if point is None and self.mode == "stroke" and session.cursor is not None:
+        on_ground = self.mode == "stroke" and not sky_brush.in_hand(session)
+        if point is None and on_ground and session.cursor is not None:
             point = _on_plane(matrices.position, ray, session.cursor[2]) or session.cursor
         self._picked = key, point
         return point
+
+    def _pick_sky(self, where, size) -> tuple[float, float, float] | None:
+        """The clouds' shell under a pixel, while a brush for it is in hand."""
+        session = self.editor.session
+        if not sky_brush.in_hand(session):
+            return None
+        clouds = session.level.settings.clouds
+        key = (where, size, session.camera, id(session.level), session.level.layer_revision("height"), clouds)
+        if self._picked_sky[0] != key:
+            matrices = camera_matrices(session.camera, size)
+            self._picked_sky = key, pick_sky(session.level, matrices.position, matrices.ray(*where, size))
+        return self._picked_sky[1]
 
 
 def _on_plane(origin: np.ndarray, ray: np.ndarray, height_m: float) -> tuple[float, float, float] | None:

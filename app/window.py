@@ -25,6 +25,7 @@ from .guard import Guard
 from .palette import Palette
 from .panels import brush_bar, history_panel, layers_panel, log_panel, objects_panel, settings_panel, views_panel
 from .panels.waves_panel import WavesPanel
+from .panels.weather_panel import WeatherPanel
 from .picture import Picture
 from .preferences import Preferences, load
 from .session import Session
@@ -48,6 +49,7 @@ class Window:
         self.palette = Palette(self.editor)
         self.timeline = Timeline(self.editor)
         self.waves = WavesPanel()
+        self.weather = WeatherPanel(self.editor)
         self.picture: Picture | None = None
         self.viewport: Viewport | None = None
         self.drive = drive
@@ -117,6 +119,7 @@ class Window:
             "Brushes": lambda: brush_bar.draw(editor),
             "Brush": lambda: brush_bar.draw_parameters(editor),
             "Settings": lambda: settings_panel.draw(editor),
+            "Weather map": lambda: self.weather.draw(self.picture.ctx) if self.picture else None,
             "Objects": lambda: objects_panel.draw(editor),
             "Layers": lambda: layers_panel.draw(editor, self.picture.gpu_bytes() if self.picture else {}),
             "History": lambda: history_panel.draw(editor),
@@ -156,6 +159,7 @@ class Window:
 
     def _ending(self) -> None:
         if self.picture:
+            self.weather.release()
             self.picture.release()
         size = hello_imgui.get_runner_params().app_window_params.window_geometry.size
         if self.drive is None:

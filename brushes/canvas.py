@@ -6,6 +6,7 @@ tile: on 4097² that was faster than dense arrays of the level's size, whose fre
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -38,20 +39,28 @@ class Canvas:
     # Reading
 
     def sample(self, row: float, col: float) -> np.ndarray:
-        """The layer at a fractional cell, bilinear, held at the border; float32 `(channels,)`."""
+        """The layer at a fractional cell, bilinear, held at the border or wrapped; float32 `(channels,)`."""
         rows, cols = self.data.grid.shape
-        row, col = min(max(row, 0.0), rows - 1.0), min(max(col, 0.0), cols - 1.0)
-        row0, col0 = min(int(row), rows - 2), min(int(col), cols - 2)
-        near = self.data.read(Rect(row0, col0, row0 + 2, col0 + 2)).astype(np.float64).reshape(2, 2, -1)
+        if self.data.grid.wraps:
+            row0, col0 = math.floor(row), math.floor(col)
+            near = np.stack([self.data.read(Rect(r % rows, c % cols, r % rows + 1, c % cols + 1))
+                             for r in (row0, row0 + 1) for c in (col0, col0 + 1)])  # fmt: skip
+        else:
+            row, col = min(max(row, 0.0), rows - 1.0), min(max(col, 0.0), cols - 1.0)
+            row0, col0 = min(int(row), rows - 2), min(int(col), cols - 2)
+            near = self.data.read(Rect(row0, col0, row0 + 2, col0 + 2))
+        near = near.astype(np.float64).reshape(2, 2, -1)
         south, north = near[:, 0] + (near[:, 1] - near[:, 0]) * (col - col0)
         return (south + (north - south) * (row - row0)).astype(np.float32)
 
     def window(self, rect: Rect, border: int, channel: int, base: bool = False) -> np.ndarray:
         """A copy of `rect` with a border, of one channel, as it is or (`base`) as the stroke found it.
 
-        Outside the level the samples are mirrored through the edge sample, so that slopes go on.
+        Outside the level the samples are mirrored through the edge sample, so that slopes go on; a torus goes round.
         """
         wide = rect.pad(border)
+        if self.data.grid.wraps:
+            return self._wrapped_window(wide, channel, base)
         inside = self.data.grid.clip(wide)
         values = _channel(self.data.read(inside), channel)
         values = self._as_found(values, inside, channel) if base else values
@@ -62,6 +71,13 @@ class Canvas:
         if not any(map(any, missing)):
             return values.copy()
         return np.pad(values, missing, "reflect", reflect_type="odd")
+
+    def _wrapped_window(self, wide: Rect, channel: int, base: bool) -> np.ndarray:
+        out = np.empty(wide.shape, np.float32)
+        for asked, held in self.data.grid.laps(wide):
+            values = _channel(self.data.read(held), channel)
+            out[_inside(asked, wide)] = self._as_found(values, held, channel) if base else values
+        return out
 
     def _as_found(self, values: np.ndarray, rect: Rect, channel: int) -> np.ndarray:
         values = values.copy()
@@ -97,38 +113,43 @@ class Canvas:
             return []
         effect.prepare(self, whole, link)
         rects = []
-        for block in self._blocks(whole, link, footprint):
-            self.step.save(self.data, block)
-            out, *spare = (flat[: block.cells].reshape(block.shape) for flat in self._scratch)
-            weight = footprint.weights(link, block, out, *spare)
-            for piece in self._pieces(block, weight, spare[0], link, masked):
+        for asked, held in self._blocks(whole, link, footprint):
+            self.step.save(self.data, held)
+            out, *spare = (flat[: asked.cells].reshape(asked.shape) for flat in self._scratch)
+            weight = footprint.weights(link, asked, out, *spare)
+            for piece in self._pieces(asked, held, weight, spare[0], link, masked):
                 effect.write(piece)
-            rects.append(block)
-        self.bounds = self.bounds.union(whole)
+            rects.append(held)
+            self.bounds = self.bounds.union(held)
         return rects
 
-    def _blocks(self, rect: Rect, link: Link, footprint: Footprint) -> Iterator[Rect]:
-        if max(rect.shape) <= BLOCK:
-            yield rect
-            return
-        for tile in self.data.grid.tiles(rect):
-            block = self.data.grid.tile_rect(tile).intersect(rect)
-            if not footprint.misses(link, block):
-                yield block
+    def _blocks(self, rect: Rect, link: Link, footprint: Footprint) -> Iterator[tuple[Rect, Rect]]:
+        """Where the dab is, and where its cells lie: the same but on a grid that wraps."""
+        for asked, held in self.data.grid.laps(rect):
+            if max(rect.shape) <= BLOCK:
+                yield asked, held
+                continue
+            for tile in self.data.grid.tiles(held):
+                part = self.data.grid.tile_rect(tile).intersect(held)
+                block = _moved(part, held, asked)
+                if not footprint.misses(link, block):
+                    yield block, part
 
-    def _pieces(self, block: Rect, weight: np.ndarray, spare: np.ndarray, link: Link, masked: bool) -> Iterator[Piece]:
+    def _pieces(
+        self, asked: Rect, held: Rect, weight: np.ndarray, spare: np.ndarray, link: Link, masked: bool
+    ) -> Iterator[Piece]:
         array = self.data.array
-        for tile in self.data.grid.tiles(block):
+        for tile in self.data.grid.tiles(held):
             whole = self.data.grid.tile_rect(tile)
-            part = whole.intersect(block)
-            in_tile, in_block = _inside(part, whole), _inside(part, block)
+            part = whole.intersect(held)
+            in_tile, in_block = _inside(part, whole), _inside(part, held)
             here = weight[in_block]
             mask = self._mask(tile, whole, in_tile, here) if masked else here
             base, live = self._base(tile)[in_tile], array[part.slices]
             self.painted.add(tile)
             for channel in self.channels:
                 yield Piece(
-                    part,
+                    _moved(part, held, asked),
                     channel,
                     link,
                     _channel(base, channel),
@@ -136,6 +157,7 @@ class Canvas:
                     here,
                     _channel(live, channel),
                     spare[in_block],
+                    base,
                 )
 
     def _mask(self, tile: tuple[int, int], whole: Rect, in_tile: tuple, weight: np.ndarray) -> np.ndarray:
@@ -152,6 +174,12 @@ def _inside(part: Rect, whole: Rect) -> tuple[slice, slice]:
         slice(part.row0 - whole.row0, part.row1 - whole.row0),
         slice(part.col0 - whole.col0, part.col1 - whole.col0),
     )
+
+
+def _moved(part: Rect, held: Rect, asked: Rect) -> Rect:
+    """`part` of `held` as a part of `asked`, the same cells counted from elsewhere."""
+    row, col = asked.row0 - held.row0, asked.col0 - held.col0
+    return Rect(part.row0 + row, part.col0 + col, part.row1 + row, part.col1 + col)
 
 
 def _channel(values: np.ndarray, channel: int) -> np.ndarray:

@@ -15,8 +15,9 @@ from .effects.lift import Lower, Raise
 from .effects.paint import Paint
 from .effects.ramp import Ramp
 from .effects.smooth import Smooth
+from .effects.weather import Weather
 from .footprint import Footprint, Round, Strip
-from .params import FlattenParams, PaintParams, RaiseParams, RampParams, SmoothParams
+from .params import FlattenParams, PaintParams, RaiseParams, RampParams, SmoothParams, WeatherParams
 from .path import AlongPath, LinePath
 
 
@@ -150,6 +151,19 @@ BRUSHES: dict[str, Brush] = {
             "Dune grass and tussocks that the wind moves. Ctrl clears them.",
             inverse="Clear tufts",
             channels=("grass",),
+        ),
+        Brush(
+            "weather",
+            "Weather",
+            "9",
+            Weather,
+            Round,
+            AlongPath,
+            "weather",
+            WeatherParams,
+            "Cloud, rain and type of the sky, on the sky itself or on the weather map. Ctrl erases or takes away;"
+            " P+click takes the weather there as the target.",
+            inverse="Erase weather",
         ),
     )
 }

@@ -47,3 +47,25 @@ class PaintParams(BrushParams):
     size_m: float = param(8.0, 0.01, 100_000, "m", "Radius.", soft=(1, 100))
     strength: float = param(0.8, 0, 2, "", "What a stroke changes at full pressure; the layer goes from −1 to 1.")
     mode: Literal["add", "remove", "reset"] = param("add", doc="Put more there, clear it, or leave it to the rules.")
+
+
+class SkyParams(Section):
+    """What is painted on the weather map: targets are its numbers (Z04), each channel can be left as it is."""
+
+    mode: Literal["set", "add", "erase", "smooth"] = param(
+        "set",
+        doc="Bring the sky to the targets (Ctrl erases), add to what is there (Ctrl takes away), erase the paint: the"
+        " simulation comes back (Ctrl sets), or smooth the paint.",
+    )
+    paint_coverage: bool = param(True, doc="Paint how much cloud there is.")
+    coverage: float = param(0.7, 0, 1, "", "Target: 0 a clear sky, 1 all of it covered.")
+    paint_precipitation: bool = param(True, doc="Paint where it rains.")
+    precipitation: float = param(0.0, 0, 1, "", "Target: 0 dry; 1 rains, and whatever is there becomes a thundercloud.")
+    paint_type: bool = param(True, doc="Paint which clouds there are.")
+    type: float = param(0.8, 0, 1, "", "Target: 0 flat stratus, 1 heaped cumulus.")
+    step: float = param(0.25, 0.01, 1, "", "What the mode add adds in a stroke, or takes away.")
+
+
+class WeatherParams(BrushParams, SkyParams):  # in this order panels show what is painted first
+    size_m: float = param(4000.0, 0.01, 40_000, "m", "Radius.", soft=(100, 40_000))
+    strength: float = param(1.0, 0, 1, "", "How far the sky comes to what is painted at full pressure.")

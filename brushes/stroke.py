@@ -20,6 +20,8 @@ from .params import BrushParams, SmoothParams
 from .path import Bounds, Dab, Sample
 
 FARTHEST_M = 1e9  # a pointer past this is a slip of somebody's arithmetic
+ROUNDS = 8  # times that a stroke may go round a torus
+FRACTIONS = 65536  # of a cell: a stroke elsewhere on the torus is the same bit for bit
 
 
 class Stroke:
@@ -46,9 +48,10 @@ class Stroke:
             raise BadInput(f"a stroke cannot begin at {x}, {y} m with pressure {pressure}: it takes finite numbers")
         row, params = self._row_and_params()
         invert = self.invert and not self.smooth
-        self.step = self.journal.begin(row.inverse if invert else row.label)
+        label = row.effect.label(params, invert) or (row.inverse if invert else row.label)
+        self.step = self.journal.begin(label)
         try:
-            self._take_up(row, params, invert)
+            self._take_up(row, params, invert, sample)
             self.effect.begin(self.canvas, *self.canvas.data.grid.to_cells(sample.x, sample.y))
         except BaseException:
             self.abort()
@@ -56,15 +59,16 @@ class Stroke:
         self.samples.append(sample)
         return self._paint(self.path.begin(sample))
 
-    def _take_up(self, row: Brush, params: Section, invert: bool) -> None:
+    def _take_up(self, row: Brush, params: Section, invert: bool, press: Sample) -> None:
         """Put together canvas, footprint, effect and path."""
-        self.canvas = Canvas(self.level, self.step, self.brush.layer, self.brush.channel_numbers)
+        channels = row.effect.channels(params, self.brush.channel_numbers)
+        self.canvas = Canvas(self.level, self.step, self.brush.layer, channels)
         grid = self.canvas.data.grid
         self.footprint = row.footprint(params.size_m / grid.cell_m, params.falloff)
         self.effect = row.effect(params, invert, self.footprint)
-        self.masked = row.effect.masked(invert) and not row.path.replaces
+        self.masked = row.effect.masked(params, invert) and not row.path.replaces
         spacing_m = params.spacing * self.footprint.radius * grid.cell_m
-        self.path = row.path(spacing_m, grid.cell_m, self._bounds(spacing_m + grid.cell_m))
+        self.path = row.path(spacing_m, grid.cell_m, self._bounds(spacing_m + grid.cell_m, press))
 
     def move(self, x: float, y: float, pressure: float = 1.0) -> Rect:
         """Drag to world metres; returns the cells changed. Samples that are no numbers are ignored."""
@@ -101,16 +105,24 @@ class Stroke:
     def _row_and_params(self) -> tuple[Brush, Section]:
         """The row that acts: with Shift it is the smooth one, in the size of the brush in hand."""
         smooth = BRUSHES["smooth"]
+        own = self.brush.effect.smoothing(self.params) if self.smooth else None
+        if own is not None:
+            return self.brush, own
         if not self.smooth or isinstance(self.params, smooth.params):
             return (smooth if self.smooth else self.brush), self.params
         shared = {name: getattr(self.params, name) for name in BrushParams.model_fields if name != "strength"}
         return smooth, SmoothParams(**shared)
 
-    def _bounds(self, way_m: float) -> Bounds:
+    def _bounds(self, way_m: float, press: Sample) -> Bounds:
+        """Where dabs count: round the level, on a torus some rounds about the press."""
         grid = self.canvas.data.grid
         reach_m = self.footprint.reach * grid.cell_m + way_m
+        west_m, south_m = grid.origin_m
         east_m, north_m = grid.extent_m
-        return Bounds(-reach_m, -reach_m, east_m + reach_m, north_m + reach_m)
+        if grid.wraps:
+            reach_m, (west_m, south_m) = ROUNDS * max(east_m, north_m), (press.x, press.y)
+            east_m = north_m = 0.0
+        return Bounds(west_m - reach_m, south_m - reach_m, west_m + east_m + reach_m, south_m + north_m + reach_m)
 
     def _paint(self, dabs: Iterable[Dab]) -> Rect:
         """Play dabs; the whole stroke goes when one of them fails."""
@@ -129,8 +141,11 @@ class Stroke:
 
     def _link(self, dab: Dab) -> Link:
         start, end = dab
-        to_cells = self.canvas.data.grid.to_cells
-        return Link(*to_cells(start.x, start.y), *to_cells(end.x, end.y), start.pressure, end.pressure)
+        grid = self.canvas.data.grid
+        ends = (*grid.to_cells(start.x, start.y), *grid.to_cells(end.x, end.y))
+        if grid.wraps:  # a step so fine that whole cells more or less leave the same fraction of a cell
+            ends = tuple(round(at * FRACTIONS) / FRACTIONS for at in ends)
+        return Link(*ends, start.pressure, end.pressure)
 
 
 def _usable(x: float, y: float, pressure: float) -> Sample | None:

@@ -130,15 +130,38 @@ class Grid:
         return col * self.cell_m + east_m, row * self.cell_m + north_m
 
     def rect_along(self, row0: float, col0: float, row1: float, col1: float, reach: float) -> Rect:
-        """The cells within `reach` cells of a line between two fractional cells, clipped to the level."""
-        return self.clip(
-            Rect(
-                math.ceil(min(row0, row1) - reach),
-                math.ceil(min(col0, col1) - reach),
-                math.floor(max(row0, row1) + reach) + 1,
-                math.floor(max(col0, col1) + reach) + 1,
-            )
+        """The cells within `reach` cells of a line between two fractional cells, clipped to the level.
+
+        On a grid that wraps they run on past its border (`laps`), no farther than once round.
+        """
+        rect = Rect(
+            math.ceil(min(row0, row1) - reach),
+            math.ceil(min(col0, col1) - reach),
+            math.floor(max(row0, row1) + reach) + 1,
+            math.floor(max(col0, col1) + reach) + 1,
         )
+        return self._once_round(rect) if self.wraps else self.clip(rect)
+
+    def _once_round(self, rect: Rect) -> Rect:
+        """The middle of a rectangle that is wider than the torus."""
+        row0 = max(rect.row0, (rect.row0 + rect.row1 - self.rows) // 2)
+        col0 = max(rect.col0, (rect.col0 + rect.col1 - self.cols) // 2)
+        return Rect(row0, col0, min(rect.row1, row0 + self.rows), min(rect.col1, col0 + self.cols))
+
+    def laps(self, rect: Rect) -> Iterator[tuple[Rect, Rect]]:
+        """The parts of a rectangle that may run past the border: where each is asked for, and where its cells lie.
+
+        Without wrapping that is the part inside.
+        """
+        if not self.wraps:
+            inside = self.clip(rect)
+            if not inside.empty:
+                yield inside, inside
+            return
+        for row0, row1 in _rounds(rect.row0, rect.row1, self.rows):
+            for col0, col1 in _rounds(rect.col0, rect.col1, self.cols):
+                row, col = row0 % self.rows, col0 % self.cols
+                yield Rect(row0, col0, row1, col1), Rect(row, col, row + row1 - row0, col + col1 - col0)
 
     def tiles(self, rect: Rect) -> Iterator[tuple[int, int]]:
         """(tile row, tile column) of every tile that `rect` touches."""
@@ -191,3 +214,11 @@ class Grid:
         for sector_row in range(sector_rows):
             for sector_col in range(sector_cols):
                 yield sector_row, sector_col
+
+
+def _rounds(first: int, end: int, side: int) -> Iterator[tuple[int, int]]:
+    """A run of whole numbers cut at the multiples of `side`."""
+    while first < end:
+        stop = min(end, (first // side + 1) * side)
+        yield first, stop
+        first = stop

@@ -13,6 +13,7 @@ from shorewright.brushes import BRUSHES, Stroke
 from shorewright.level import BadInput, Grid, Journal, Level
 
 POINTS = [(40, 52, 1.0), (90, 100, 0.4), (200, 60, 0.9), (150.5, 180.25, 1.0)]
+FREE = [name for name, brush in BRUSHES.items() if not brush.effect.layer]  # these work on any layer
 MODES = {"plain": {}, "ctrl": {"invert": True}, "shift": {"smooth": True}}
 
 
@@ -52,7 +53,7 @@ def state(level):
 
 
 every_stroke = pytest.mark.parametrize(
-    ("name", "mode"), [(name, mode) for name in BRUSHES for mode in MODES], ids=lambda part: part
+    ("name", "mode"), [(name, mode) for name in FREE for mode in MODES], ids=lambda part: part
 )
 
 
@@ -137,7 +138,7 @@ def test_the_cells_returned_and_marked_hold_every_change(name, mode):
 def test_labels_say_what_was_done():
     level = rough_level()
     journal = Journal(level)
-    for name in BRUSHES:
+    for name in FREE:
         for options in MODES.values():
             play(start(level, name, journal, **options))
     labels = [step.label for step in journal.done]
@@ -168,7 +169,7 @@ def test_a_radius_below_a_cell_changes_the_nearest(name, place):
     assert [round(place[1]), round(place[0])] in changed.tolist() or place == (100.5, 99.5)
 
 
-@pytest.mark.parametrize("name", BRUSHES)
+@pytest.mark.parametrize("name", FREE)
 def test_a_brush_larger_than_the_level(name):
     level = rough_level(150, 140)
     before = level.height.copy()
@@ -180,7 +181,7 @@ def test_a_brush_larger_than_the_level(name):
     assert np.array_equal(level.height, before)
 
 
-@pytest.mark.parametrize("name", BRUSHES)
+@pytest.mark.parametrize("name", FREE)
 @pytest.mark.parametrize("invert", [False, True])
 def test_strength_or_opacity_zero_is_no_step(name, invert):
     for nothing in ({"strength": 0}, {"opacity": 0}):
@@ -193,7 +194,7 @@ def test_strength_or_opacity_zero_is_no_step(name, invert):
         assert level.layers["height"].neutral, "tiles that were not changed don't count as written"
 
 
-@pytest.mark.parametrize("name", BRUSHES)
+@pytest.mark.parametrize("name", FREE)
 def test_the_brush_works_past_the_border(name):
     """A pointer outside the map still reaches in (complaint: brushes that stop at the border)."""
     level = rough_level()
@@ -237,7 +238,7 @@ def test_pressure_is_held_to_0_and_1():
 
 @settings(max_examples=25, deadline=None)
 @given(
-    st.sampled_from(sorted(BRUSHES)),
+    st.sampled_from(sorted(FREE)),
     st.lists(
         st.tuples(st.floats(-60, 200), st.floats(-60, 200), st.floats(-1, 2)),
         min_size=1,

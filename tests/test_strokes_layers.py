@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from shorewright.brushes import BRUSHES, Stroke
 from shorewright.level import LAYERS, SECTOR, Grid, Journal, Level, Rect
-from test_strokes import play, start, state
+from test_strokes import FREE, play, start, state
 
 POINTS = [(40, 52, 1.0), (140, 150, 0.4), (150, 60, 0.9)]
 
@@ -27,7 +27,8 @@ def painted_level(layer, seed=4):
 
 def paint(level, brush, journal=None, points=POINTS, scale=1.0, **params):
     stroke = Stroke(level, journal or Journal(level), brush, brush.with_params(params))
-    play(stroke, [(x * scale, y * scale, *rest) for x, y, *rest in points])
+    east, north = level.layers[brush.layer].grid.origin_m
+    play(stroke, [(x * scale + east, y * scale + north, *rest) for x, y, *rest in points])
 
 
 def cell(level, layer):
@@ -35,7 +36,7 @@ def cell(level, layer):
 
 
 @pytest.mark.parametrize("layer", LAYERS)
-@pytest.mark.parametrize("name", BRUSHES)
+@pytest.mark.parametrize("name", FREE)
 def test_every_brush_works_on_every_layer(name, layer):
     """Undo, redo and unpainted tiles hold for layers of one and many channels, of single and half precision."""
     level = painted_level(layer)
@@ -70,7 +71,7 @@ def test_channels_are_painted_like_layers_of_their_own(name):
         assert np.array_equal(alone.layers["flow"].array[..., 0], alone.layers["flow"].array[..., 1])
 
 
-@pytest.mark.parametrize("name", BRUSHES)
+@pytest.mark.parametrize("name", FREE)
 def test_a_brush_may_be_for_some_channels_only(name):
     level = painted_level("cover")
     before = level.layers["cover"].array.copy()
@@ -112,7 +113,7 @@ def ground(rows, cols):
     return (noise + y * 0.05 - x * 0.02).astype(np.float32)
 
 
-@pytest.mark.parametrize("name", BRUSHES)
+@pytest.mark.parametrize("name", FREE)
 @pytest.mark.parametrize("options", [{}, {"invert": True}, {"opacity": 0.5}])
 @pytest.mark.parametrize("corner", [(128, 128), (SECTOR, 128), (SECTOR + 1, 255)])
 def test_no_seam_where_tiles_and_sectors_meet(name, options, corner):

@@ -181,6 +181,26 @@ def test_waves_panel_cuts_through_the_pointer(drive):
     assert found["bad"] == []
 
 
+def test_weather_is_painted_on_the_sky_and_on_the_map(drive):
+    """T04: strokes begin where the pointer meets the shell of clouds, or on the panel's map; both are undone."""
+    found = drive("weather")
+    assert found["bad"] == []
+    assert found["brush"] == "weather"
+    assert found["over_land"] == found["start"]
+    assert found["pointed"] is None
+    assert found["targets"] == [0.9, 1.0, 1.0]
+    assert 1300 < found["ring"][2] < 1600
+    assert len({found["start"], found["during"], found["after"], found["on_map"]}) == 4
+    assert found["steps"] == ["Paint weather"]
+    assert found["undone"] == found["undone_at_last"] == found["start"]
+    assert found["redone"] == found["after"]
+    assert found["map_steps"] == ["Paint weather", "Paint weather"]
+    assert found["map_pointer"] is not None
+    assert found["taken"] == pytest.approx(0.9, abs=0.02)
+    assert found["took_steps"] == 2
+    assert 20_000 < found["zoomed_m"] < 60_000
+
+
 def test_files_by_dialog(drive):
     """Save as, export and open by typed paths; what cannot be opened is told in the dialog."""
     original = ground(drive.path)

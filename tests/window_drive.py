@@ -44,6 +44,10 @@ class Hands:
         """Digest of the ground's bytes."""
         return hashlib.sha256(self.session.level.height.tobytes()).hexdigest()
 
+    def sky(self) -> str:
+        """Digest of the painted weather."""
+        return hashlib.sha256(self.session.level.layers["weather"].array.tobytes()).hexdigest()
+
     def volume(self) -> float:
         """Sum of all heights."""
         return float(self.session.level.height.sum(dtype=np.float64))
@@ -391,6 +395,69 @@ def waves(hands: Hands) -> None:
     cut = hands.window.waves.kept[1]
     hands.note(line=float((cut.a - cut.b).max()), samples=len(cut.along_m))
     hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
+
+
+def weather(hands: Hands) -> None:
+    """A sky by its swatch, painted in the picture and on the map, taken back; nothing over land; the eyedropper."""
+    ctx, session = hands.ctx, hands.session
+    session.pause()
+    session.camera = session.camera.model_copy(update={"x": 110.0, "y": 20.0, "z": 6.0, "yaw_deg": 10, "pitch_deg": 8})
+    hands.note(start=hands.sky())
+    hands.key(imgui.Key._9)
+    hands.drag((0.5, 0.85), (0.6, 0.9))
+    hands.note(brush=session.brush, over_land=hands.sky(), pointed=session.sky_cursor)
+    ctx.window_focus("//Weather map")
+    ctx.yield_(3)
+    ctx.item_click("//Weather map/**/###cloud_thunderstorm")
+    ctx.yield_(2)
+    params = session.params["weather"]
+    hands.note(targets=[params.coverage, params.precipitation, params.type])
+    hands.press((0.4, 0.15))
+    hands.move((0.5, 0.2))
+    hands.move((0.6, 0.12))
+    hands.note(ring=session.sky_cursor, during=hands.sky())
+    hands.release()
+    hands.note(after=hands.sky(), steps=[s.label for s in session.journal.done])
+    session.scrub(session.clock.time_s + 60)  # the wind carries it on; the recorded stroke stays
+    hands.key(CTRL, imgui.Key.z)
+    hands.note(undone=hands.sky())
+    hands.key(CTRL, SHIFT, imgui.Key.z)
+    hands.note(redone=hands.sky())
+    _paint_map(hands)
+    hands.key(CTRL, imgui.Key.z)
+    hands.key(CTRL, imgui.Key.z)
+    hands.note(undone_at_last=hands.sky(), ground=hands.volume())
+    hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
+
+
+def _paint_map(hands: Hands) -> None:
+    """A stroke on the panel, its wheel, its eyedropper."""
+    ctx, session, panel = hands.ctx, hands.session, hands.window.weather
+    ctx.scroll_to_top("//Weather map")
+    ctx.yield_(3)
+    side = panel.sight.side
+
+    def go(x: float, y: float) -> None:
+        ctx.mouse_move_to_pos((panel.corner[0] + side * x, panel.corner[1] + side * y))
+        ctx.yield_(2)
+
+    go(0.3, 0.3)
+    ctx.mouse_down(LEFT)
+    ctx.yield_(2)
+    go(0.6, 0.35)
+    hands.note(map_pointer=hands.editor.map_pointer)
+    ctx.mouse_up(LEFT)
+    ctx.yield_(2)
+    hands.note(on_map=hands.sky(), map_steps=[s.label for s in session.journal.done])
+    session.set_param("coverage", 0.1)
+    ctx.key_down(int(imgui.Key.p))
+    ctx.mouse_click(LEFT)
+    ctx.key_up(int(imgui.Key.p))
+    ctx.yield_(2)
+    hands.note(taken=session.params["weather"].coverage, took_steps=len(session.journal.done))
+    ctx.mouse_wheel_y(3)
+    ctx.yield_(3)
+    hands.note(zoomed_m=panel.sight.span_m)
 
 
 def killed(hands: Hands) -> None:

@@ -24,6 +24,8 @@ PROFILES: dict[str, tuple[tuple[float, float], ...]] = {
                   (0.9, 0.36), (0.92, 0.2), (1, 0.2)),
     "tufts": ((0, 0.15), (0.3, 0.15), (0.06, 0.62), (0.38, 0.3), (0.32, 0.95), (0.47, 0.32), (0.6, 0.98), (0.58, 0.3),
               (0.94, 0.66), (0.68, 0.15), (1, 0.15)),
+    "weather": ((0, 0.2), (0.04, 0.2), (0.05, 0.42), (0.14, 0.55), (0.24, 0.52), (0.3, 0.78), (0.46, 0.95),
+                (0.62, 0.84), (0.7, 0.6), (0.84, 0.62), (0.95, 0.44), (0.96, 0.2), (1, 0.2)),
 }  # fmt: skip
 
 
@@ -103,8 +105,9 @@ def draw_parameters(editor: Editor) -> None:
         return
     brush, params = BRUSHES[session.brush], session.params[session.brush]
     _told(brush.label, brush.doc)
+    idle = brush.effect.idle(params)
     param_widgets.draw_all(
-        describe(type(params)),
+        [row for row in describe(type(params)) if row.name not in idle],
         lambda name: getattr(params, name),
         lambda name, value, merge: editor.attempt(session.set_param, name, value),
         lambda: None,

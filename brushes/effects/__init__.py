@@ -24,7 +24,8 @@ class Piece:
     """The part of a dab in one tile, arrays float32 `(rows, cols)` of one channel.
 
     `base` is what the layer held when the stroke began, `mask` the greatest weight of any dab so far, `weight` that of
-    this dab, `live` what is to be written. `spare` may be overwritten.
+    this dab, `live` what is to be written. `spare` may be overwritten. `bases` is the base of all channels. On a grid
+    that wraps `rect` counts on past the border.
     """
 
     rect: Rect
@@ -35,10 +36,13 @@ class Piece:
     weight: np.ndarray
     live: np.ndarray
     spare: np.ndarray
+    bases: np.ndarray
 
 
 class Effect:
     """Begin, then `prepare` and `write` for each dab."""
+
+    layer = ""  # the only one it can work on, where its channels belong together
 
     def __init__(self, params: Section, invert: bool, footprint: Footprint) -> None:
         self.params = params
@@ -47,9 +51,29 @@ class Effect:
         self.amount = np.float32(params.strength * params.opacity)
 
     @classmethod
-    def masked(cls, invert: bool) -> bool:
+    def masked(cls, params: Section, invert: bool) -> bool:
         """Whether it reads `mask`; one that works on what earlier dabs left reads `weight` alone."""
         return True
+
+    @classmethod
+    def smoothing(cls, params: Section) -> Section | None:
+        """Parameters with which it smooths by itself (Shift); None leaves that to the smooth brush."""
+        return None
+
+    @classmethod
+    def label(cls, params: Section, invert: bool) -> str:
+        """Its name in the history where the brush's own doesn't tell."""
+        return ""
+
+    @classmethod
+    def channels(cls, params: Section, channels: tuple[int, ...]) -> tuple[int, ...]:
+        """Which of the brush's channels it writes."""
+        return channels
+
+    @classmethod
+    def idle(cls, params: Section) -> frozenset[str]:
+        """Names of parameters that mean nothing as the others are set."""
+        return frozenset()
 
     def begin(self, canvas: Canvas, row: float, col: float) -> None:
         """Freeze what the press decides."""

@@ -30,9 +30,10 @@ class Ramp(Effect):
 
     def _leads(self, canvas, row: float, col: float, to_row: float, to_col: float, height: np.ndarray) -> np.ndarray:
         """Rise per cell from an end of the ramp to the ground where its shoulder ends, or where the level does."""
-        rows, cols = canvas.data.grid.shape
-        far_row = min(max(row + to_row * self.footprint.soft, 0.0), rows - 1.0)
-        far_col = min(max(col + to_col * self.footprint.soft, 0.0), cols - 1.0)
+        grid = canvas.data.grid
+        far_row, far_col = row + to_row * self.footprint.soft, col + to_col * self.footprint.soft
+        if not grid.wraps:
+            far_row, far_col = min(max(far_row, 0.0), grid.rows - 1.0), min(max(far_col, 0.0), grid.cols - 1.0)
         way = (far_row - row) * to_row + (far_col - col) * to_col
         return (canvas.sample(far_row, far_col) - height) / np.float32(way) if way >= 1 else np.zeros_like(height)
 

@@ -21,7 +21,7 @@ class Smooth(Effect):
     """Rubbing goes on working: dabs read what earlier dabs left. Opacity bounds how far a stroke goes."""
 
     @classmethod
-    def masked(cls, invert: bool) -> bool:
+    def masked(cls, params, invert: bool) -> bool:
         return invert  # sharpening what is already sharpened would run away, so it starts from the base
 
     def prepare(self, canvas, rect, link) -> None:

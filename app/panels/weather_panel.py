@@ -1,0 +1,295 @@
+"""The weather map as a panel: looked at at every stage, painted on, skies with a name beside it (T04, Z04, Z05)."""
+
+from __future__ import annotations
+
+import math
+import time
+from dataclasses import replace
+
+import numpy as np
+from imgui_bundle import imgui
+
+from ...level.cloud_types import CLOUD_TYPES, CloudType
+from ...level.weather import STAGES, weather_at
+from .. import sky_brush, theme
+from ..actions import ACTIONS
+from ..editor import Editor
+from ..map_sight import Sight
+from ..param_widgets import tooltip
+
+LEFT, RIGHT, MIDDLE = 0, 1, 2
+TEXELS = 128
+LEAST_S = 0.1  # between two drawings of the map while only time goes on
+MOST_PX = 560
+STAGE_DOC = {
+    "simulated": "What the simulation makes with its bias.",
+    "painted": "With the paint over it.",
+    "horizon": "With the horizon's own sky far away.",
+    "final": "What the clouds are made of: rain pulled towards thunderheads.",
+}
+_FLAGS = imgui.ButtonFlags_
+BUTTONS = _FLAGS.mouse_button_left | _FLAGS.mouse_button_right | _FLAGS.mouse_button_middle
+
+
+class WeatherPanel:
+    """Draws itself into the current imgui window; `mode` is what a pressed button does: "", stroke, pan, dead."""
+
+    def __init__(self, editor: Editor) -> None:
+        self.editor = editor
+        self.sight: Sight | None = None  # None: the whole map about the camera
+        self.stage = "final"
+        self.mode = ""
+        self.button = LEFT
+        self.corner = (0.0, 0.0)  # screen pixels, for whoever drives the window
+        self.texture = None
+        self._key: tuple = ()
+        self._drawn_at = -1e9
+
+    def draw(self, ctx) -> None:
+        """`ctx` is the window's OpenGL context."""
+        side = float(int(min(max(imgui.get_content_region_avail().x, 96), MOST_PX)))
+        self.sight = replace(self.sight or self._round_camera(), side=side)
+        self._map(ctx, side)
+        self._controls()
+        self._hints()
+        self._swatches()
+
+    def release(self) -> None:
+        if self.texture is not None:
+            self.texture.release()
+            self.texture = None
+
+    def _round_camera(self) -> Sight:
+        camera = self.editor.session.camera
+        return Sight(camera.x, camera.y)
+
+    # The map
+
+    def _map(self, ctx, side: float) -> None:
+        origin, size = imgui.get_cursor_screen_pos(), imgui.ImVec2(side, side)
+        self.corner = (origin.x, origin.y)
+        imgui.invisible_button("###weather_map", size, BUTTONS)
+        hovered = imgui.is_item_hovered() or imgui.is_item_active()
+        imgui.set_item_key_owner(imgui.Key.mouse_wheel_y)
+        self._pointer(origin, hovered)
+        self._refresh(ctx)
+        draw_list, end = imgui.get_window_draw_list(), imgui.ImVec2(origin.x + side, origin.y + side)
+        draw_list.push_clip_rect(origin, end, True)
+        texture = imgui.ImTextureRef(self.texture.glo)
+        draw_list.add_image(texture, origin, end, imgui.ImVec2(0, 1), imgui.ImVec2(1, 0))
+        self._marks(draw_list, origin)
+        draw_list.pop_clip_rect()
+
+    def _refresh(self, ctx) -> None:
+        """Draw the map anew when the level, the view or, not too often, time changed."""
+        session, sight = self.editor.session, self.sight
+        camera = session.camera
+        key = (id(session.level), session.level.revision, sight, self.stage, camera.x, camera.y), session.clock.time_s
+        now = time.monotonic()
+        early = now - self._drawn_at < LEAST_S
+        if self.texture is not None and (key == self._key or (key[0] == self._key[0] and early)):
+            return
+        values = weather_at(session.level, key[1], *sight.grid(TEXELS), (camera.x, camera.y), self.stage)
+        pixels = (np.clip(values[..., :3], 0, 1) * 255 + 0.5).astype(np.uint8)  # the talk's channels: R, G, B
+        if self.texture is None:
+            self.texture = ctx.texture((TEXELS, TEXELS), 3, alignment=1)
+            self.texture.filter = ctx.LINEAR, ctx.LINEAR
+        self.texture.write(pixels.tobytes(), alignment=1)
+        self._key, self._drawn_at = key, now
+
+    def _marks(self, draw_list, origin) -> None:
+        """Level, camera, wind, scale and brush over the map."""
+        session, sight = self.editor.session, self.sight
+        level, camera = session.level, session.camera
+
+        def at(x: float, y: float) -> imgui.ImVec2:
+            px, py = sight.pixels(x, y)
+            return imgui.ImVec2(origin.x + px, origin.y + py)
+
+        def line(points, ink, width: float, closed: bool = False) -> None:
+            flags = imgui.ImDrawFlags_.closed if closed else 0
+            draw_list.add_polyline(points, theme.packed(theme.SHADE, 0.6), width + 2, flags)
+            draw_list.add_polyline(points, theme.packed(ink), width, flags)
+
+        east, north = level.grid.extent_m
+        line([at(0, 0), at(east, 0), at(east, north), at(0, north)], theme.INK, 1, True)
+        self._ring(at, line)
+        _camera_mark(line, at(camera.x, camera.y), math.radians(camera.yaw_deg))
+        _wind(draw_list, line, level.settings.weather, imgui.ImVec2(origin.x + sight.side - 28, origin.y + 28))
+        _scale(draw_list, line, sight, origin)
+
+    def _ring(self, at, line) -> None:
+        """The brush where the pointer is, here or in the viewport's sky."""
+        session = self.editor.session
+        point = self.editor.map_pointer or session.sky_cursor
+        if point is None or self.mode == "pan":
+            return
+        io, turn = imgui.get_io(), np.linspace(0, 2 * np.pi, 64, endpoint=False)
+        held = session.stroke or sky_brush.Held(io.key_ctrl, io.key_shift)
+        ink = theme.BLUE if held.smooth else theme.WARM if held.invert else theme.INK
+        params = session.params[sky_brush.NAME]
+        for radius_m, width in ((params.size_m, 1.8), (params.inner_m, 1.0)):
+            line(
+                [at(point[0] + radius_m * math.cos(a), point[1] + radius_m * math.sin(a)) for a in turn],
+                ink,
+                width,
+                True,
+            )
+
+    # The pointer
+
+    def _pointer(self, origin, hovered: bool) -> None:
+        io, mouse = imgui.get_io(), imgui.get_mouse_pos()
+        where = (mouse.x - origin.x, mouse.y - origin.y)
+        self.editor.map_pointer = None
+        if not (hovered or self.mode) or not imgui.is_mouse_pos_valid():
+            return
+        x, y = self.sight.world(*where)
+        self.editor.map_pointer = (x, y, self.editor.session.level.settings.clouds.base_m)
+        if not self.mode:
+            self._press(io, x, y)
+            if io.mouse_wheel and not self.mode:
+                self.sight = self.sight.zoomed(*where, io.mouse_wheel)
+        if self.mode == "stroke":
+            self._stroke(x, y)
+        elif self.mode == "pan":
+            self.sight = self.sight.panned(io.mouse_delta.x, io.mouse_delta.y)
+        if self.mode and not imgui.is_mouse_down(self.button):
+            if self.mode == "stroke":
+                self.editor.attempt(self.editor.session.stroke_end)
+            self.mode = ""
+
+    def _press(self, io, x: float, y: float) -> None:
+        pressed = [button for button in (LEFT, RIGHT, MIDDLE) if imgui.is_mouse_clicked(button)]
+        if not pressed:
+            return
+        self.button, session = pressed[0], self.editor.session
+        if self.button != LEFT:
+            self.mode = "pan"
+            return
+        if not sky_brush.in_hand(session):
+            session.pick_brush(sky_brush.NAME)
+        if imgui.is_key_down(imgui.Key.p):
+            self.editor.attempt(sky_brush.take, session, x, y)
+            self.mode = "dead"
+            return
+        done = self.editor.attempt(sky_brush.press, session, x, y, io.key_ctrl, io.key_shift)
+        self.mode = "dead" if done is None else "stroke"
+
+    def _stroke(self, x: float, y: float) -> None:
+        session = self.editor.session
+        if session.stroke is None or not session.stroke.open:
+            self.mode = "dead"  # Esc or an undo ended it
+            session.stroke_abort()
+        else:
+            self.editor.attempt(sky_brush.drag, session, x, y)
+
+    # Beside it
+
+    def _controls(self) -> None:
+        imgui.set_next_item_width(110)
+        changed, number = imgui.combo("###weather_stage", STAGES.index(self.stage), [s.capitalize() for s in STAGES])
+        if changed:
+            self.stage = STAGES[number]
+        tooltip(f"Which step of the map is shown. {STAGE_DOC[self.stage]}")
+        imgui.same_line()
+        if imgui.button(theme.titled("expand", "Whole", "weather_whole")):
+            self.sight = None
+        tooltip("All of the map about the camera. The wheel zooms to the pointer, the middle or right button moves it.")
+        imgui.same_line()
+        imgui.text_colored(theme.colour(theme.INK_FAINT), "cloud, rain, type")
+        tooltip(
+            "Red is coverage, green precipitation, blue the type from stratus to cumulus. Left paints, Ctrl and Shift"
+            " as with every brush; P+left takes the weather under the pointer as the brush's target."
+        )
+
+    def _hints(self) -> None:
+        """What keeps the paint from being seen, with a way out."""
+        settings = self.editor.session.level.settings
+        for path, on, text in (
+            ("clouds.on", settings.clouds.on, "Clouds are not drawn."),
+            ("weather.painted", settings.weather.painted, "Painted weather does not count."),
+        ):
+            if on:
+                continue
+            imgui.align_text_to_frame_padding()
+            imgui.text_colored(theme.colour(theme.WARM), text)
+            imgui.same_line()
+            if imgui.button(f"Switch on###on_{path}"):
+                self.editor.set(path, True)
+            tooltip(f"Sets {path}.")
+
+    def _swatches(self) -> None:
+        """Skies with a name: a click makes one the target of the brush."""
+        imgui.separator_text("Paint")
+        for name, title, text, doc in (
+            ("weather.fill", "fill", "All of it", "The brush's targets over the whole sky, as one step."),
+            ("weather.erase", "eraser", "Erase all", "No paint anywhere: the simulation alone, as one step."),
+        ):
+            imgui.begin_disabled(not ACTIONS[name].enabled(self.editor.session))
+            if imgui.button(theme.titled(title, text, name)):
+                self.editor.do(name)
+            imgui.end_disabled()
+            tooltip(doc)
+            imgui.same_line()
+        imgui.new_line()
+        session, chosen = self.editor.session, sky_brush.chosen(self.editor.session)
+        columns = max(int(imgui.get_content_region_avail().x // 140), 1)
+        if not imgui.begin_table("###swatches", columns, imgui.TableFlags_.sizing_stretch_same):
+            return
+        for row in CLOUD_TYPES.values():
+            imgui.table_next_column()
+            if _swatch(row, row.name == chosen and sky_brush.in_hand(session)):
+                self.editor.attempt(sky_brush.choose, session, row.name)
+            tooltip(f"{row.doc}\nCoverage {row.coverage:g}, precipitation {row.precipitation:g}, type {row.type:g}.")
+        imgui.end_table()
+
+
+def _swatch(row: CloudType, lit: bool) -> bool:
+    corner, height = imgui.get_cursor_screen_pos(), imgui.get_frame_height()
+    clicked = imgui.selectable(f"###cloud_{row.name}", lit, 0, imgui.ImVec2(0, height))[0]
+    draw_list, ink = imgui.get_window_draw_list(), (row.coverage, row.precipitation, row.type)
+    low, high = imgui.ImVec2(corner.x + 3, corner.y + 3), imgui.ImVec2(corner.x + height - 3, corner.y + height - 3)
+    draw_list.add_rect_filled(low, high, theme.packed(ink), 3)
+    draw_list.add_rect(low, high, theme.packed(theme.INK_FAINT, 0.7), 3)
+    middle = corner.y + (height - imgui.get_font_size()) / 2
+    draw_list.add_text(imgui.ImVec2(corner.x + height + 4, middle), theme.packed(theme.INK), row.label)
+    return clicked
+
+
+def _camera_mark(line, at, yaw: float) -> None:
+    """An arrowhead that looks where the camera does."""
+    ahead, side = (math.sin(yaw), -math.cos(yaw)), (math.cos(yaw), math.sin(yaw))
+    points = ((9, 0), (-6, 6), (-3, 0), (-6, -6))
+    line(
+        [imgui.ImVec2(at.x + a * ahead[0] + s * side[0], at.y + a * ahead[1] + s * side[1]) for a, s in points],
+        theme.WARM, 1.6, True,
+    )  # fmt: skip
+
+
+def _wind(draw_list, line, weather, at) -> None:
+    """An arrow the way the clouds go, and how fast."""
+    heading = math.radians(weather.heading_deg)
+    way = (math.sin(heading), -math.cos(heading))
+    tip, tail = (imgui.ImVec2(at.x + way[0] * r, at.y + way[1] * r) for r in (15, -15))
+    barbs = [imgui.ImVec2(tip.x - 8 * math.sin(heading + t), tip.y + 8 * math.cos(heading + t)) for t in (0.5, -0.5)]
+    line([tail, tip], theme.INK, 1.6)
+    line([barbs[0], tip, barbs[1]], theme.INK, 1.6)
+    _text(draw_list, imgui.ImVec2(at.x, at.y + 20), f"{weather.wind_mps:.0f} m/s", 0.5)
+
+
+def _scale(draw_list, line, sight: Sight, origin) -> None:
+    """A bar of a round length, lower left; north is up."""
+    length = sight.scale_m / sight.span_m * sight.side
+    left, y = origin.x + 10, origin.y + sight.side - 10
+    line([imgui.ImVec2(left, y), imgui.ImVec2(left + length, y)], theme.INK, 1.6)
+    text = f"{sight.scale_m / 1000:g} km" if sight.scale_m >= 1000 else f"{sight.scale_m:g} m"
+    _text(draw_list, imgui.ImVec2(left, y - imgui.get_font_size() - 4), text, 0.0)
+    _text(draw_list, imgui.ImVec2(left, origin.y + 6), f"{theme.icon('arrow_up')} N", 0.0)
+
+
+def _text(draw_list, at, text: str, back: float) -> None:
+    """A text with a shadow; `back` is the part of its width that it is moved to the left."""
+    x = at.x - imgui.calc_text_size(text).x * back
+    draw_list.add_text(imgui.ImVec2(x + 1, at.y + 1), theme.packed(theme.SHADE, 0.9), text)
+    draw_list.add_text(imgui.ImVec2(x, at.y), theme.packed(theme.INK), text)
