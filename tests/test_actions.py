@@ -32,7 +32,7 @@ def test_every_row_runs(session, name):
         action.run(session)
     assert broken(session) == []
     assert action.title
-    assert action.menu in ("", "File", "Edit", "Time", "View", "Brush", "Place", "Light", "In the middle")
+    assert action.menu in ("", "File", "Edit", "Time", "View", "Brush", "Place", "Light", "Weather", "In the middle")
 
 
 @pytest.mark.parametrize(("keys", "name"), PROMISED.items())

@@ -17,12 +17,12 @@ def draw(frame: Frame) -> None:
     ctx, used = frame.renderer.ctx, {}
     if not frame.overlays.insets:
         return
-    frame.targets.display.use()
     for inset in frame.overlays.insets:
         view = find_view(inset.view)
         box = _box(inset, view, frame.full_size, used.get(inset.corner, 0.0))
         used[inset.corner] = used.get(inset.corner, 0.0) + box[3] + MARGIN * frame.full_size[1]
         defines = bind_view(frame, view) | {"INSET": ""}
+        frame.targets.display.use()
         if view.mapped:
             defines["INSET_MAP"] = ""
             frame.uniforms |= _map(frame, inset, box[2])

@@ -24,10 +24,15 @@ class WeatherMap:
 def draw(frame: Frame) -> None:
     if not frame.level.settings.clouds.on:
         return
-    held = frame.renderer.kept
-    made = held.get("weather") or held.setdefault("weather", WeatherMap(frame.renderer.ctx))
-    make_map(frame, made, "final")
-    frame.textures["u_weather"] = made.texture
+    bind_map(frame)
+
+
+def bind_map(frame: Frame, stage: str = "final") -> None:
+    """Put the map as it is after one of STAGES where shaders read it, with clouds or without."""
+    held, name = frame.renderer.kept, f"weather_{stage}"
+    made = held.get(name) or held.setdefault(name, WeatherMap(frame.renderer.ctx))
+    make_map(frame, made, stage)
+    frame.textures["u_weather" if stage == "final" else "u_weather_stage"] = made.texture
 
 
 def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
@@ -40,6 +45,7 @@ def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
     if made.key == key:
         return
     made.framebuffer.use()
+    frame.renderer.ctx.disable(frame.renderer.ctx.BLEND)
     set_uniforms(shader.program, {**values, "u_stage": STAGES.index(stage), "u_map_side": float(SIDE)})
     shader.fullscreen()
     made.key = key
