@@ -18,6 +18,7 @@ from .level import Level
 from .settings import Settings
 from .storm import CLOUDS, HIDDEN_M, KIND, step, storm_share, storm_uniforms
 from .textures import spectral_noise
+from .weather_keys import MOST_AREAS, level_at, sky_areas
 from .wind import moved_m
 
 SIDE = WEATHER_GRID.rows
@@ -70,6 +71,7 @@ def weather_uniforms(level: Level, time_s: float) -> dict:
     """What weather.glsl asks for besides its settings and textures."""
     settings = level.settings
     weather = settings.weather
+    bias, areas = sky_areas(level, time_s)
     at = time_s / weather.growth_s * float(weather.evolve)
     broad, fine = 2 * math.pi * (at % 1.0), 2 * math.pi * ((FINE_RATE * at) % 1.0)
     drift, middle = drift_m(level, time_s), middle_m(settings)
@@ -77,14 +79,22 @@ def weather_uniforms(level: Level, time_s: float) -> dict:
         "u_weather_turn": (math.cos(broad), math.sin(broad), math.cos(fine), math.sin(fine)),
         "u_weather_moved": tuple(drift + middle),
         "u_weather_paint_moved": tuple(middle + drift * float(weather.paint_drifts)),
-        "u_weather_bias": (weather.coverage, weather.type, weather.precipitation, weather.variety),
+        "u_weather_bias": (*bias, weather.variety),
         "u_weather_horizon": (
             weather.horizon_start_m, max(weather.horizon_end_m, weather.horizon_start_m + 1.0),
             weather.horizon_coverage, weather.horizon_type,
         ),
         **storm_uniforms(level, time_s),
+        "u_weather_areas": len(areas),
+        "u_weather_area": _padded(areas[:, 0]),
+        "u_weather_area_sky": _padded(areas[:, 1]),
         "u_weather_painted": weather.painted and not level.layers["weather"].neutral,
     }  # fmt: skip
+
+
+def _padded(rows: np.ndarray) -> np.ndarray:
+    """As long as the shader's array."""
+    return np.concatenate([rows, np.zeros((MOST_AREAS - len(rows), 4), np.float32)])
 
 
 def texel_metres() -> tuple[np.ndarray, np.ndarray]:
@@ -110,6 +120,7 @@ def weather_map(level: Level, time_s: float, camera: tuple[float, float], stage:
 
 def weather_at(level: Level, time_s: float, x, y, camera=None, stage: str = "final") -> np.ndarray:
     """float32 `(…, 4)` of the same at world points; without a camera there is no horizon."""
+    level = level_at(level, time_s)
     uniforms = weather_uniforms(level, time_s)
     sky, storm = _simulated(level, uniforms, x, y)
     weight = np.zeros_like(sky)
@@ -141,6 +152,12 @@ def _simulated(level: Level, uniforms: dict, x, y) -> tuple[np.ndarray, np.ndarr
     moved, turn = uniforms["u_weather_moved"], uniforms["u_weather_turn"]
     even = [_even_noise(level.settings.level.seed, x - moved[0], y - moved[1], shift, turn) for shift in SHIFTS]
     storm = np.zeros_like(even[0])
+    count = uniforms["u_weather_areas"]
+    for at, own in zip(uniforms["u_weather_area"][:count], uniforms["u_weather_area_sky"][:count], strict=True):
+        here = at[3] * (1 - step(0.5 * at[2], at[2], np.hypot(x - at[0], y - at[1])) if at[2] > 0 else 1.0)
+        coverage, kind, rain = (
+            mean + (to - mean) * here for mean, to in zip((coverage, kind, rain), own[:3], strict=True)
+        )
     if uniforms["u_storm"][3] > 0:
         wet, storm = storm_share(uniforms, x, y, even[3])
         rain = np.maximum(rain, wet)

@@ -41,15 +41,15 @@ WEATHERS: dict[str, Preset] = {
         _row("breeze", "Breeze", "Fair-weather cumulus, a lively sea.",
              (0.45, 46.0, 0.09, 7.5), (5.0, 11.0), (0.45, 0.6, 0.0), (0.7, 14.0, 6.0, 0.0, 1.0)),
         _row("overcast", "Overcast", "A sheet of stratus from side to side, little wind.",
-             (0.35, 52.0, 0.06, 6.0), (4.0, 8.0), (0.9, 0.15, 0.0), (0.4, 11.0, 3.0, 0.0, 0.8)),
+             (0.35, 52.0, 0.06, 6.0), (4.0, 8.0), (0.95, 0.15, 0.0), (0.1, 11.0, 3.0, 0.0, 0.8)),
         _row("drizzle", "Drizzle", "Low stratus that drizzles here and there.",
-             (0.4, 48.0, 0.08, 6.5), (5.0, 10.0), (0.85, 0.2, 0.55), (0.4, 9.0, 1.5, 0.0, 1.0)),
+             (0.4, 48.0, 0.08, 6.5), (5.0, 10.0), (0.93, 0.2, 0.55), (0.2, 9.0, 1.5, 0.0, 1.0)),
         _row("gale", "Gale", "Torn clouds in a hard wind, showers, long waves.",
              (1.3, 85.0, 0.24, 12.0), (16.0, 26.0), (0.65, 0.7, 0.2), (0.6, 10.0, 10.0, 0.0, 1.5)),
         _row("storm", "Storm", "Thunderheads that come with the wind and pour down; the highest sea.",
              (2.2, 120.0, 0.35, 15.0), (22.0, 34.0), (0.75, 0.85, 0.35), (0.5, 12.0, 30.0, 1.0, 2.0)),
         _row("snow", "Snow", "Grey winter sky with snowfall, a short cold sea.",
-             (0.5, 44.0, 0.1, 7.0), (6.0, 9.0), (0.85, 0.35, 0.6), (0.5, -3.0, 3.0, 0.0, 1.0)),
+             (0.5, 44.0, 0.1, 7.0), (6.0, 9.0), (0.92, 0.3, 0.6), (0.2, -3.0, 3.0, 0.0, 1.0)),
     )
 }  # fmt: skip
 

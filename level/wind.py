@@ -8,6 +8,7 @@ import numpy as np
 
 from .level import Level
 from .settings import Settings
+from .weather_keys import run_m
 
 
 def wind_way(settings: Settings) -> np.ndarray:
@@ -18,4 +19,4 @@ def wind_way(settings: Settings) -> np.ndarray:
 
 def moved_m(level: Level, time_s: float) -> np.ndarray:
     """Metres east and north that the air has moved since time zero, not wrapped, float64 `(2,)`."""
-    return wind_way(level.settings) * (level.settings.weather.wind_mps * time_s)
+    return wind_way(level.settings) * run_m(level, time_s, "weather.wind_mps")

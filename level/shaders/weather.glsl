@@ -10,6 +10,10 @@ uniform vec4 u_weather_bias;             // coverage, type, precipitation, varie
 uniform vec4 u_weather_horizon;          // from and to, m; coverage, type
 uniform bool u_weather_painted;
 uniform vec4 u_storm;                    // where it goes, how far its front is along that; chance
+const int MOST_AREAS = 16;
+uniform int u_weather_areas;             // keys that a sky over an area is made of (D36), each over those before it
+uniform vec4 u_weather_area[MOST_AREAS];      // place, radius (0: everywhere), share
+uniform vec4 u_weather_area_sky[MOST_AREAS];  // coverage, type, precipitation
 uniform vec2 u_storm_size;               // depth along the wind, how ragged its front is
 
 const float WEATHER_TILE_M = 70000.0, RAINY = 0.7, RAIN_SOFT = 0.15, WEATHER_FINE = 0.5;
@@ -41,6 +45,11 @@ vec2 storm_share(vec2 xy) {
 vec4 weather_simulated(vec2 xy) {
     vec3 mean = u_weather_bias.xyz;  // coverage, type, precipitation
     vec2 storm = vec2(0.0);
+    for (int i = 0; i < u_weather_areas; ++i) {
+        vec4 at = u_weather_area[i];
+        float here = at.z > 0.0 ? 1.0 - smoothstep(0.5 * at.z, at.z, distance(xy, at.xy)) : 1.0;
+        mean = mix(mean, u_weather_area_sky[i].xyz, at.w * here);
+    }
     if (u_storm.w > 0.0) {
         storm = storm_share(xy);
         mean = max(mean, vec3(mix(mean.xy, vec2(STORM_CLOUDS, STORM_KIND), storm.y), storm.x));

@@ -41,7 +41,14 @@ def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
     values = weather_uniforms(level, frame.time_s)
     shader = frame.shader("weather.glsl", **bind_weather(frame, values))
     camera = tuple(float(v) for v in frame.matrices.position[:2])
-    key = *values.values(), stage, camera, level.settings.level.seed, uploader.seen["layer_weather"], shader.generation
+    key = (
+        *(v.tobytes() if hasattr(v, "tobytes") else v for v in values.values()),
+        stage,
+        camera,
+        level.settings.level.seed,
+        uploader.seen["layer_weather"],
+        shader.generation,
+    )
     if made.key == key:
         return
     made.framebuffer.use()
