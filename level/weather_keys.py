@@ -4,7 +4,7 @@
 
 A key fades from whatever is there to its preset, in `fade_s` from `time_s` on. What moves with a speed that keys change
 is the integral of that speed, so nothing jumps (`run_m`), and waves change their length one by one while they lie flat
-(sea_keys.py). The current stays the level's own: floating things follow it on paths from time zero.
+(sea_keys.py). Flow points come and go in the current itself (`points_change`), not in the settings.
 """
 
 from __future__ import annotations
@@ -75,6 +75,13 @@ def level_at(level: Level, time_s: float) -> Level:
         update={name: getattr(level.settings, name).model_copy(update=values) for name, values in changed.items()}
     )
     return dated
+
+
+def points_change(level: Level, time_s: float) -> float:
+    """How much stronger flow points are at a time than the level's own."""
+    own, path = base_settings(level).flow.points, "flow.points"
+    begun = [key for key in whole_keys(level) if key.time_s < time_s]
+    return float(faded(own, path, begun, time_s)) - own if begun else 0.0
 
 
 def _storm_start(settings: Settings, keys) -> float:

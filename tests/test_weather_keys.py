@@ -4,12 +4,15 @@ import numpy as np
 import pytest
 from coasts import make_beach
 from points import feedback
-from shorewright.level.objects import Camera, WeatherKey
+from shorewright.level.drift import drifted
+from shorewright.level.flow import current
+from shorewright.level.meshes import block
+from shorewright.level.objects import Camera, FlowPoint, Prop, WeatherKey
 from shorewright.level.params import get
 from shorewright.level.sea_keys import fronts_at
 from shorewright.level.waves import largest_height_m, sea_at, surface_at, wave_uniforms
 from shorewright.level.weather import weather_at, weather_map
-from shorewright.level.weather_keys import KEYED, level_at, run_m, sky_areas
+from shorewright.level.weather_keys import KEYED, level_at, points_change, run_m, sky_areas
 from shorewright.level.weather_presets import SKY, WEATHERS
 from shorewright.level.wind import moved_m
 from shorewright.renderer import render
@@ -111,6 +114,26 @@ def test_an_area_has_its_own_sky():
     base, rows = sky_areas(level, 90.0)  # weather that came everywhere later covers it
     assert len(rows) == 0
     assert base == tuple(WEATHERS["calm"].values[path] for path in SKY)
+
+
+def test_flow_points_come_and_go_with_the_weather():
+    """D36 D06: the current is that of the level with the preset's strength; what drifts goes on from where it is."""
+    strong = WeatherKey(id="storm", time_s=20.0, fade_s=30.0, weather="storm")
+    level, always, plain = keyed(strong), keyed(), keyed()
+    for made in (level, always, plain):
+        made.put_object("p", FlowPoint(id="p", x=80, y=40, speed_mps=0.4, radius_m=90))
+    always.set("flow.points", WEATHERS["storm"].values["flow.points"])
+    x, y = np.array([60.0, 100.0]), np.array([30.0, 55.0])
+    np.testing.assert_allclose(current(level).at(x, y, points_change(level, 99.0)), current(always).at(x, y), atol=1e-6)
+    assert np.array_equal(current(level).at(x, y, points_change(level, 20.0)), current(level).at(x, y))
+    assert current(level_at(level, 40.0)) is current(level)
+    level.put_mesh("block", block())
+    prop = Prop(id="raft", mesh="block", x=40, y=30, floats=True, drifts=True)
+    times = np.arange(0.0, 40.0, 0.25)
+    way, before = (np.array([drifted(made, prop, t, 0.3) for t in times]) for made in (level, plain))
+    np.testing.assert_array_equal(way[times <= 20], before[times <= 20])
+    assert np.abs(np.diff(np.hypot(*np.diff(way, axis=0).T) / 0.25)).max() < 0.12
+    assert way[-1, 0] > before[-1, 0] + 1.0
 
 
 @pytest.mark.parametrize("key", [GALE, STORM])
