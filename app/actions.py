@@ -13,6 +13,7 @@ from ..brushes import BRUSHES
 from ..level.cloud_types import CLOUD_TYPES
 from ..level.environments import ENVIRONMENTS
 from ..level.framing import frame
+from ..level.weather_presets import WEATHERS
 from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
 from . import placing, sky_brush
@@ -61,6 +62,18 @@ def _environment(name: str) -> Callable[[Session], None]:
     return lambda session: session.set_all(f"{row.label} light", row.values)
 
 
+def _weather(name: str) -> Callable[[Session], None]:
+    """D36: all of a named weather, as one step."""
+    row = WEATHERS[name]
+    return lambda session: session.set_all(f"{row.label} weather", row.values)
+
+
+def _storm(session: Session) -> None:
+    """Z23: a storm sets out upwind now."""
+    now = min(session.clock.time_s, 1e7)
+    session.set_all("Bring a storm", {"clouds.on": True, "storm.chance": 1.0, "storm.start_s": now})
+
+
 def _frame_all(session: Session) -> None:
     session.camera = frame(session.level, session.camera)
 
@@ -100,6 +113,8 @@ def _rows() -> list[Action]:
         Action("last_view", "View before", ("Shift+F1",), "View", _view(-1), repeats=True),
         *_show_rows(),
         *(Action(f"light.{row.name}", row.label, (), "Light", _environment(row.name)) for row in ENVIRONMENTS.values()),
+        *(Action(f"weather.{row.name}", row.label, (), "Weather", _weather(row.name)) for row in WEATHERS.values()),
+        Action("storm", "Bring a storm", (), "Weather", _storm),
         *(Action(f"tool.{row.name}", _tool_title(row), row.keys, "Place", _tool(row.name)) for row in TOOLS.values()),
         Action("prop_file", "Prop from a file…", (), "Place", lambda s: s.ask("prop")),
         *(

@@ -36,6 +36,7 @@ VERBS: dict[str, str] = {
     "layers": "tables:layers",
     "settings": "tables:settings",
     "environments": "tables:environments",
+    "weathers": "tables:weathers",
     "bench": "benches:bench",
 }
 

@@ -5,15 +5,16 @@ from __future__ import annotations
 from imgui_bundle import hello_imgui, imgui
 
 from ..level.environments import environment_of
+from ..level.weather_presets import weather_of
 from . import keys, theme
 from .actions import ACTIONS, Action
 from .editor import OVERLAYS, QUALITIES, Editor
 from .tools import BRUSH
 
-ORDER = ("File", "Edit", "Brush", "Light", "Place", "Time", "View")
+ORDER = ("File", "Edit", "Brush", "Light", "Weather", "Place", "Time", "View")
 INNER = {"In the middle": "Place", "Clouds to paint": "Brush"}  # menus within others
 RULED = {
-    "import", "weather_import", "quit", "abort", "frame", "next_view", "brush.raise", "tool.prop", "prop_file",
+    "import", "weather_import", "quit", "abort", "frame", "next_view", "brush.raise", "storm", "tool.prop", "prop_file",
     "object.delete",
 }  # a line above these  # fmt: skip
 CAMERA_HELP = (
@@ -66,6 +67,8 @@ def _chosen(editor: Editor, name: str) -> bool:
         return name.removeprefix("show.") in session.show
     if name.startswith("light."):
         return name == f"light.{environment_of(session.level.settings)}"
+    if name.startswith("weather."):
+        return name == f"weather.{weather_of(session.level.settings)}"
     if name.startswith("tool."):
         return name == f"tool.{session.tool}"
     if name.startswith("brush."):

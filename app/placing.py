@@ -46,6 +46,8 @@ PLACEABLES: dict[str, Placeable] = {
                   "An extreme viewpoint: the sea's mesh covers all of these circles (H01)."),
         Placeable("sea_patch", "sea_patch", "patch", "Sea patch", "vector_square", "Kind of sea of a hectare (H27)."),
         Placeable("sea_seed", "sea_seed", "seed", "Sea seed", "droplet", "Water here counts as sea."),
+        Placeable("weather_key", "weather_key", "weather", "Weather", "cloud_sun",
+                  "Weather that comes at this moment, everywhere or over its circle (D36).", clicks=False),
         Placeable("camera", "camera", "camera", "Camera", "video", "This view, kept.", clicks=False),
         Placeable("water_table", "water_table", "water", "Water table", "swatchbook",
                   "The water's colour as gradient stops, in use at once (H15).", clicks=False),

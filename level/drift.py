@@ -16,6 +16,7 @@ from .flow import Current, current
 from .level import Level
 from .objects import Prop
 from .pick import ground_at
+from .weather_keys import points_change, whole_keys
 
 STEP_S = 0.5
 MOST_S = 900.0  # a path is followed so far
@@ -33,6 +34,7 @@ def drifted(level: Level, prop: Prop, t: float, draft_m: float) -> tuple[float, 
     """World x, y of a drifting prop at time t; `draft_m` is how deep it reaches under the still sea."""
     drag, water = level.settings.things.drag, current(level)
     key = (prop.x, prop.y, drag, draft_m, water.key, level.layer_revision("height"), level.sea_level_m)
+    key += ((whole_keys(level) if water.to_points is not None else ()),)
     paths = level.derived.setdefault("drift", {})
     path = paths.get(prop.id)
     if path is None or (path.key != key and not (level.live and path.key[:3] == key[:3])):
@@ -40,18 +42,19 @@ def drifted(level: Level, prop: Prop, t: float, draft_m: float) -> tuple[float, 
     t = min(max(t, 0.0), MOST_S)
     steps = math.floor(t / STEP_S + 1e-9)
     while len(path.states) <= steps:
-        path.states.append(_moved(level, water, path.states[-1], STEP_S, drag, draft_m))
-    return _moved(level, water, path.states[steps], t - steps * STEP_S, drag, draft_m)[:2]
+        begun = (len(path.states) - 1) * STEP_S
+        path.states.append(_moved(level, water, path.states[-1], begun, STEP_S, drag, draft_m))
+    return _moved(level, water, path.states[steps], steps * STEP_S, t - steps * STEP_S, drag, draft_m)[:2]
 
 
-def _moved(level: Level, water: Current, state: tuple, dt: float, drag: float, draft_m: float) -> tuple:
-    """A state `dt` seconds later: du/dt = drag · (current − u), solved for a constant current."""
+def _moved(level: Level, water: Current, state: tuple, begun_s: float, dt: float, drag: float, draft_m: float) -> tuple:
+    """A state at `begun_s`, `dt` seconds later: du/dt = drag · (current − u), solved for a constant current."""
     x, y, *speed = state
     if dt <= 0 or drag <= 0:
         return state
     left = math.exp(-drag * dt)
     ways = []
-    for i, flow in enumerate(water.at(x, y)):
+    for i, flow in enumerate(water.at(x, y, points_change(level, begun_s))):
         over = speed[i] - float(flow)
         ways.append(float(flow) * dt + over * (1 - left) / drag)
         speed[i] = float(flow) + over * left

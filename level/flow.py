@@ -32,16 +32,29 @@ class Current:
     packed: np.ndarray
     cell_m: float
     key: tuple
+    to_points: np.ndarray | None = None  # what flow points give at strength 1, `(rows, cols, 2)`; None without any
 
-    def at(self, x, y) -> tuple[np.ndarray, np.ndarray]:
+    def with_points(self, more: float) -> np.ndarray:
+        """`packed` with flow points so much stronger, as weather makes them (D36)."""
+        if not more or self.to_points is None:
+            return self.packed
+        return np.concatenate([self.packed[..., :2] + np.float32(more) * self.to_points, self.packed[..., 2:]], -1)
+
+    def at(self, x, y, more: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
         """East and north in m/s at world points, bilinear; beyond the level that of its border."""
         rows, cols = self.packed.shape[:2]
         v, u = (np.clip(np.asarray(p, np.float64) / self.cell_m, 0, n - 1) for p, n in ((y, rows), (x, cols)))
         row, col = (np.minimum(p.astype(int), n - 2) for p, n in ((v, rows), (u, cols)))
         fv, fu = (v - row)[..., None], (u - col)[..., None]
-        south, north = (self.packed[r, col, :2] * (1 - fu) + self.packed[r, col + 1, :2] * fu for r in (row, row + 1))
-        flow = south * (1 - fv) + north * fv
+        flow = _between(self.packed, row, col, fu, fv)
+        if more and self.to_points is not None:
+            flow = flow + more * _between(self.to_points, row, col, fu, fv)
         return flow[..., 0], flow[..., 1]
+
+
+def _between(values: np.ndarray, row, col, fu, fv) -> np.ndarray:
+    south, north = (values[r, col, :2] * (1 - fu) + values[r, col + 1, :2] * fu for r in (row, row + 1))
+    return south * (1 - fv) + north * fv
 
 
 def current(level: Level) -> Current:
@@ -69,14 +82,18 @@ def _make(level: Level, field, points, key: tuple) -> Current:
     quiet = level.layers["quiet"].read(grid.rect)[::stride, ::stride]
     packed = np.zeros((rows, cols, 4), np.float32)
     packed[..., 2], packed[..., 3] = quiet, distance
+    to_points = None
     if settings.flow.on:
-        flow = to_shore * settings.flow.shore_mps
-        flow += _to_points(points, x, y) * settings.flow.points
         wet = np.clip(distance / CALM_M, 0, 1)
-        flow *= (wet * wet * (3 - 2 * wet))[..., None]
+        wet = (wet * wet * (3 - 2 * wet))[..., None]
+        flow, pull = to_shore * settings.flow.shore_mps, _to_points(points, x, y)
+        flow += pull * settings.flow.points
+        flow *= wet
+        if points:
+            to_points = (pull * wet * (1 - settings.quiet.flow * quiet)[..., None]).astype(np.float32)
         flow += level.layers["flow"].read(grid.rect)[::stride, ::stride] * settings.flow.painted
         packed[..., :2] = flow * (1 - settings.quiet.flow * quiet)[..., None]
-    return Current(packed, cell_m, key)
+    return Current(packed, cell_m, key, to_points)
 
 
 def _shore(field, x, y, cell_m: float) -> tuple[np.ndarray, np.ndarray]:

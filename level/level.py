@@ -33,6 +33,7 @@ class Level:
         self, grid: Grid, base: np.ndarray, settings: Settings | None = None, georeference: dict | None = None
     ):
         self.settings = settings or Settings()
+        self.undated: Settings | None = None  # its own ones, in a copy that stands for a moment (weather_keys.py)
         self.objects: dict[str, object] = {}
         self.meshes: dict[
             str, Mesh

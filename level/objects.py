@@ -148,8 +148,25 @@ class Mover(Placed):
     radius_m: float = param(0.6, 0.1, 20, "m", "How broad it is.", soft=(0.2, 4))
 
 
+class WeatherKey(Placed):
+    """Weather that comes at a moment of the clock, faded from what was before (D36).
+
+    With a radius it acts on the sky over its circle alone: coverage, type and precipitation. Waves, wind, temperature
+    and storms are the whole level's.
+    """
+
+    kind: Literal["weather_key"] = "weather_key"
+    time_s: float = param(0.0, 0, 1e7, "s", "When it begins to come.")
+    fade_s: float = param(60.0, 1, 1e6, "s", "How long it takes to come.", soft=(10, 600))
+    weather: Literal["calm", "breeze", "overcast", "drizzle", "gale", "storm", "snow"] = param(
+        "breeze", doc="Which weather; `shorewright weathers` lists them."
+    )
+    radius_m: float = param(0.0, 0, 35_000, "m", "Its circle; 0: everywhere.", soft=(0, 15_000))
+
+
 _KINDS = (
     Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaterTable, PointLight, Prop, Hit, Mover,
+    WeatherKey,
 )  # fmt: skip
 OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]

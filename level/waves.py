@@ -12,12 +12,14 @@ import numpy as np
 from .beach_map import NO_BEACH_M, beach_map
 from .dual import Dual, step
 from .force import ForceField
-from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, groups, phase_noise
+from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, phase_noise
 from .level import Level
 from .noise import lattice
 from .patches import beach_contact, patch_shore, patch_uniforms
+from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
 from .shore_waves import ShoreMasks, before_waves, clock_uniforms, shore_masks, uprush
+from .weather_keys import level_at
 
 DEEP_M = 4.0  # there is no sand that the slice knows
 INVERSIONS = 12  # fixed-point steps from world xy back to the undeformed point; each shrinks the error by the slope
@@ -80,9 +82,10 @@ def surface_at(
 
     `skip_chop` leaves out the high group, as physics may (H22); `force` adds what that field lifts (D18).
     """
+    level = level_at(level, t)
     x, y = np.broadcast_arrays(np.asarray(before_x, np.float64), np.asarray(before_y, np.float64))
     shore, values = shore_map(level), lattice(level.settings.level.seed)
-    fronts = groups(level.settings.sea, level.settings.level.seed)[1 if skip_chop else 0 :]
+    fronts = fronts_at(level, t)[1 if skip_chop else 0 :]
     point, weight = _offshore(level, shore, fronts, t, x, y)
     after_x, after_y = point.x.v, point.y.v
     bed = shore.at(after_x, after_y)
@@ -106,9 +109,10 @@ def surface_at(
 
 def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceField | None = None) -> SeaSample:
     """The surface at **world** points x, y (metres, arrays) and time t; the lateral shift is inverted."""
+    level = level_at(level, t)
     x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
     shore = shore_map(level)
-    fronts = groups(level.settings.sea, level.settings.level.seed)[1 if skip_chop else 0 :]
+    fronts = fronts_at(level, t)[1 if skip_chop else 0 :]
     before_x, before_y = x.copy(), y.copy()
     for _ in range(INVERSIONS):
         point, _ = _offshore(level, shore, fronts, t, before_x, before_y)
@@ -121,16 +125,17 @@ def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceFi
 
 def largest_height_m(level: Level) -> float:
     """The largest height the wave sum can reach over the still sea."""
-    sea, shore = level.settings.sea, level.settings.shore
-    return max(sea.swell_m + sea.chop_m, shore.height_m + shore.range_m * shore.runup, 1e-3)
+    shore = level.settings.shore
+    return max(largest_amplitude_m(level), shore.height_m + shore.range_m * shore.runup, 1e-3)
 
 
 def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]:
     """The value of every uniform that the level's GLSL declares, samplers excepted, at time t."""
+    level = level_at(level, t)
     settings = level.settings
     sea, shore = settings.sea, settings.shore
     way, size, turn = [], [], []
-    for fronts in groups(sea, settings.level.seed):
+    for fronts in fronts_at(level, t):
         for i, length in enumerate(fronts.length_m):
             east, north = fronts.east[i], fronts.north[i]
             phase = fronts.omega[i] * t / (2 * np.pi)

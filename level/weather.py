@@ -11,11 +11,15 @@ import functools
 import math
 
 import numpy as np
+from scipy.ndimage import map_coordinates
 
 from .layers import WEATHER_GRID
 from .level import Level
 from .settings import Settings
+from .storm import CLOUDS, HIDDEN_M, KIND, step, storm_share, storm_uniforms
 from .textures import spectral_noise
+from .weather_keys import MOST_AREAS, level_at, sky_areas
+from .wind import moved_m
 
 SIDE = WEATHER_GRID.rows
 TILE_M = WEATHER_GRID.extent_m[0]
@@ -23,27 +27,31 @@ NOISE_SIDE = 256
 STAGES = ("simulated", "painted", "horizon", "final")
 RAINY = 0.7  # coverage that precipitation pulls to (Z04)
 SOFT = 0.15  # of the rain noise's range: from no rain to full rain
-FINE = 0.55  # amplitude of the small pattern against the broad one
-SHIFTS = ((0.0, 0.0), (0.371, 0.613), (0.729, 0.237))  # of coverage, type and rain on the one noise, in tiles
+FINE = 0.5  # amplitude of the small pattern against the broad one
+BEND = 3.6  # of NOISE_SIDE, about a kilometre: how far turbulence bends both
+SHIFTS = ((0.0, 0.0), (0.371, 0.613), (0.729, 0.237), (0.171, 0.871))  # coverage, type, rain, storm on it, in tiles
+GAPS, REGIONS = 0.45, 0.3  # how softly coverage and type go from little to much, of the noise's range
+FINE_RATE = 1.618034  # how much faster the fine pattern turns: the two are never again as they were
 
 
 @functools.lru_cache(maxsize=4)
 def weather_noise(seed: int) -> np.ndarray:
     """float32 `(256, 256, 4)` tiling Gaussian noise: a broad pattern and its quarter turn, a fine one and its own.
 
-    `cos a · first + sin a · second` keeps its statistics whatever a is: it grows and decays as a turns.
+    `cos a · first + sin a · second` keeps its statistics whatever a is: it grows and decays as a turns. Both are bent
+    by one broad turbulence, which draws clumps out into streaks.
     """
-    broad = [spectral_noise(NOISE_SIDE, 7919 * seed + n, 1.2, 3, 9) for n in (1, 2)]
-    fine = [spectral_noise(NOISE_SIDE, 7919 * seed + n, 1.0, 9, 40) for n in (3, 4)]
-    return np.stack([*broad, *fine], -1).astype(np.float16).astype(np.float32)
+    bend = [BEND * spectral_noise(NOISE_SIDE, 7919 * seed + n, 1.8, 2, 8) for n in (11, 12)]
+    at = [axis + off for axis, off in zip(np.mgrid[0:NOISE_SIDE, 0:NOISE_SIDE], bend, strict=True)]
+    made = [spectral_noise(NOISE_SIDE, 7919 * seed + n, 1.0, 3, 10) for n in (1, 2)]
+    made += [spectral_noise(NOISE_SIDE, 7919 * seed + n, 1.3, 10, 36) for n in (3, 4)]
+    bent = [map_coordinates(noise, at, order=1, mode="grid-wrap") for noise in made]
+    return np.stack([(n - n.mean()) / n.std() for n in bent], -1).astype(np.float16).astype(np.float32)
 
 
 def drift_m(level: Level, time_s: float) -> np.ndarray:
     """Metres east and north that the air has moved since time zero, within one torus, float64 `(2,)`."""
-    weather = level.settings.weather
-    heading = math.radians(weather.heading_deg)
-    way = np.array([math.sin(heading), math.cos(heading)])
-    return np.mod(way * (weather.wind_mps * time_s), TILE_M)
+    return np.mod(moved_m(level, time_s), TILE_M)
 
 
 def middle_m(settings: Settings) -> np.ndarray:
@@ -63,20 +71,30 @@ def weather_uniforms(level: Level, time_s: float) -> dict:
     """What weather.glsl asks for besides its settings and textures."""
     settings = level.settings
     weather = settings.weather
+    bias, areas = sky_areas(level, time_s)
     at = time_s / weather.growth_s * float(weather.evolve)
-    broad, fine = 2 * math.pi * (at % 1.0), 2 * math.pi * ((2 * at) % 1.0)
+    broad, fine = 2 * math.pi * (at % 1.0), 2 * math.pi * ((FINE_RATE * at) % 1.0)
     drift, middle = drift_m(level, time_s), middle_m(settings)
     return {
         "u_weather_turn": (math.cos(broad), math.sin(broad), math.cos(fine), math.sin(fine)),
         "u_weather_moved": tuple(drift + middle),
         "u_weather_paint_moved": tuple(middle + drift * float(weather.paint_drifts)),
-        "u_weather_bias": (weather.coverage, weather.type, weather.precipitation, weather.variety),
+        "u_weather_bias": (*bias, weather.variety),
         "u_weather_horizon": (
             weather.horizon_start_m, max(weather.horizon_end_m, weather.horizon_start_m + 1.0),
             weather.horizon_coverage, weather.horizon_type,
         ),
+        **storm_uniforms(level, time_s),
+        "u_weather_areas": len(areas),
+        "u_weather_area": _padded(areas[:, 0]),
+        "u_weather_area_sky": _padded(areas[:, 1]),
         "u_weather_painted": weather.painted and not level.layers["weather"].neutral,
     }  # fmt: skip
+
+
+def _padded(rows: np.ndarray) -> np.ndarray:
+    """As long as the shader's array."""
+    return np.concatenate([rows, np.zeros((MOST_AREAS - len(rows), 4), np.float32)])
 
 
 def texel_metres() -> tuple[np.ndarray, np.ndarray]:
@@ -102,8 +120,9 @@ def weather_map(level: Level, time_s: float, camera: tuple[float, float], stage:
 
 def weather_at(level: Level, time_s: float, x, y, camera=None, stage: str = "final") -> np.ndarray:
     """float32 `(…, 4)` of the same at world points; without a camera there is no horizon."""
+    level = level_at(level, time_s)
     uniforms = weather_uniforms(level, time_s)
-    sky = _simulated(level, uniforms, x, y)
+    sky, storm = _simulated(level, uniforms, x, y)
     weight = np.zeros_like(sky)
     if stage != "simulated" and uniforms["u_weather_painted"]:
         painted = sample_wrapped(level.layers["weather"].array, *paint_place(level, time_s, x, y))
@@ -112,8 +131,8 @@ def weather_at(level: Level, time_s: float, x, y, camera=None, stage: str = "fin
     if stage in ("horizon", "final") and camera is not None:
         start, end, coverage, kind = uniforms["u_weather_horizon"]
         away = np.hypot(x - camera[0], y - camera[1])
-        t = np.clip((away - start) / (end - start), 0, 1)
-        share = (t * t * (3 - 2 * t))[..., None] * (1 - weight)
+        seen = storm * (1 - step(*HIDDEN_M, away))  # a storm shows from afar
+        share = (step(start, end, away) * (1 - seen))[..., None] * (1 - weight)
         sky = sky + (np.array([coverage, 0.0, kind]) - sky) * share
     if stage == "final":
         sky = pulled(sky)
@@ -127,19 +146,32 @@ def pulled(sky: np.ndarray) -> np.ndarray:
     return np.stack([coverage, rain, 0.5 * kind + (1 - 0.5 * kind) * rain], -1)
 
 
-def _simulated(level: Level, uniforms: dict, x, y) -> np.ndarray:
-    """Coverage, precipitation and type by the simulation alone."""
+def _simulated(level: Level, uniforms: dict, x, y) -> tuple[np.ndarray, np.ndarray]:
+    """Coverage, precipitation and type by the simulation alone, and how much of the storm's clouds there is."""
     coverage, kind, rain, variety = uniforms["u_weather_bias"]
     moved, turn = uniforms["u_weather_moved"], uniforms["u_weather_turn"]
     even = [_even_noise(level.settings.level.seed, x - moved[0], y - moved[1], shift, turn) for shift in SHIFTS]
+    storm = np.zeros_like(even[0])
+    count = uniforms["u_weather_areas"]
+    for at, own in zip(uniforms["u_weather_area"][:count], uniforms["u_weather_area_sky"][:count], strict=True):
+        here = at[3] * (1 - step(0.5 * at[2], at[2], np.hypot(x - at[0], y - at[1])) if at[2] > 0 else 1.0)
+        coverage, kind, rain = (
+            mean + (to - mean) * here for mean, to in zip((coverage, kind, rain), own[:3], strict=True)
+        )
+    if uniforms["u_storm"][3] > 0:
+        wet, storm = storm_share(uniforms, x, y, even[3])
+        rain = np.maximum(rain, wet)
+        coverage, kind = (np.maximum(mean, mean + (most - mean) * storm)
+                          for mean, most in ((coverage, CLOUDS), (kind, KIND)))  # fmt: skip
     threshold = 1 - rain * (1 + SOFT)
-    t = np.clip((even[2] - threshold) / SOFT, 0, 1)
-    return np.stack([spread(coverage, variety, even[0]), t * t * (3 - 2 * t), spread(kind, variety, even[1])], -1)
+    sky = spread(coverage, variety, even[0], GAPS), step(threshold, threshold + SOFT, even[2])
+    return np.stack([*sky, spread(kind, variety, even[1], REGIONS)], -1), storm
 
 
-def spread(mean: float, variety: float, even: np.ndarray) -> np.ndarray:
-    """Numbers in 0 … 1 about a mean from evenly spread ones."""
-    return mean + variety * min(mean, 1 - mean) * (2 * even - 1)
+def spread(mean, variety: float, even: np.ndarray, soft: float) -> np.ndarray:
+    """Numbers in 0 … 1 of a mean from evenly spread ones: little and much of it, `soft` in between."""
+    soft = np.maximum(np.minimum(soft, np.minimum(mean, 1 - np.asarray(mean))), 1e-3)
+    return mean + variety * (step(1 - mean - soft, 1 - mean + soft, even) - mean)
 
 
 def _even_noise(seed: int, x, y, shift: tuple[float, float], turn) -> np.ndarray:

@@ -16,6 +16,7 @@ import numpy as np
 from ..level import Level
 from ..level.objects import Camera
 from ..level.params import get
+from ..level.weather_keys import level_at
 from .camera import Matrices, camera_matrices, jitter
 from .quality import Tier, tier
 from .show import Overlays, Show
@@ -200,8 +201,8 @@ class Renderer:
         from .uniforms import frame_uniforms
 
         show, row = show or Show(), tier(quality)
-        shown = copy.copy(level)  # shares arrays and caches, has settings of its own
-        shown.settings = view.changed(show.settings(level.settings))
+        shown = copy.copy(level_at(level, time_s))  # shares arrays and caches, has settings of its own
+        shown.settings = view.changed(show.settings(shown.settings))
         self.uploader.sync(level)
         self.uploader.table(shown)
         self.generated.update(row)

@@ -160,11 +160,16 @@ class Uploader:
         self.seen["shore_field"] = field, field.revision
         return texture
 
-    def current(self, level: Level):
-        """The current, the quiet area and the way to the shore (flow.py), RGBA16F with a linear filter."""
+    def current(self, level: Level, more: float = 0.0):
+        """The current, the quiet area and the way to the shore (flow.py), RGBA16F with a linear filter.
+
+        `more`: how much stronger flow points are than the level's own, while weather changes (D36).
+        """
         made = current(level)
-        if self.seen.get("current") is not made:
-            self._whole("u_current", made.packed, "f2")
+        more = more if made.to_points is not None else 0.0
+        if self.seen.get("current") is not made or self.seen.get("current_more") != more:
+            self._whole("u_current", made.with_points(more), "f2")
+            self.seen["current_more"] = more
             self.textures["u_current"].filter = self.ctx.LINEAR, self.ctx.LINEAR
             self.seen["current"] = made
         return self.textures["u_current"]

@@ -178,6 +178,20 @@ VIEWS: dict[str, View] = {
              "blue the horizon's plane.",
              "on_sea * triangle_colour(s.emissive.x)", "direct",
              ids="H02"),
+        *(
+            View(f"weather_{stage}", f"Weather: {stage}", f"The weather map {told}, as it lies over the ground: "
+                 "red coverage, green precipitation, blue type.", "weather_stage(position.xy)", "direct", ids=ids)
+            for stage, told, ids in (
+                ("simulated", "as it makes itself", "Z05"), ("painted", "with the paint", "Z05"),
+                ("horizon", "with the horizon's own sky", "Z06"),
+            )
+        ),
+        View("weather_final", "Weather: final", "The weather map as clouds read it: red coverage, green precipitation, "
+             "blue from stratus over cumulus to cumulonimbus.", "weather_map(position.xy).rgb", "direct", ids="Z04"),
+        View("rain_rate", "Rain", "Rain that falls from the clouds, 20 mm/h to white.",
+             "vec3(rain_at(position.xy, ground.x - u_still_m).x)", "grey", 0, 20, ids="Z18"),
+        View("snow_rate", "Snowfall", "Snow that falls from them, 20 mm/h of water to white.",
+             "vec3(rain_at(position.xy, ground.x - u_still_m).y)", "grey", 0, 20, ids="Z24"),
         View("walkable", "Walkable", "Green where the player can go, red beyond.",
              "walkable > 0.5 ? vec3(0.1, 0.7, 0.2) : vec3(0.8, 0.1, 0.1)", "direct", ids="D31"),
         *CLOUD_VIEWS,

@@ -144,6 +144,7 @@ BAD = {
         ["beach.shore", "-o", "a.png", "--set", "sea.swell_m=1", "--set", "sea.swell_m=1e9"],
         ["beach.shore", "-o", "a.png", "--hide", "water,ghosts"],
         ["beach.shore", "-o", "a.png", "--quality", "best"],
+        ["beach.shore", "-o", "a.png", "--weather", "mild"],
         ["beach.shore", "-o", "a.png", "--samples", "0"],
         ["beach.shore", "-o", "a.png", "--frames", "0"],
         ["beach.shore", "-o", "a.png", "--frames", "2", "--fps", "0"],
@@ -190,6 +191,7 @@ BAD = {
     "layers": [["more"], ["--yaml"]],
     "settings": [["more"], ["--yaml"]],
     "environments": [["more"], ["--yaml"]],
+    "weathers": [["more"], ["--yaml"]],
     "edit": [[], ["beach.shore"], ["nowhere.shore"], ["--yaml"]],
     "bench": [["no such bench"], ["--yaml"]],
 }

@@ -20,11 +20,14 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "CO
             "lamps.glsl": ({}, {"UNDER": ""}), "props.glsl": ({}, {"MARK": ""}), "prop_shadow.glsl": ({}, {"PROP": ""}),
             "plate.glsl": ({"DOWN": ""}, {"ALONG": ""}, {"ACROSS": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
             "weather_inset.glsl": ({"INSET_MAP": ""},),
+            "view.glsl": ({"VIEW_VALUE": "vec3(1.0)"},
+                          {"VIEW_VALUE": "vec3(rain_at(position.xy, ground.x), 0.0)", "WEATHER": ""},
+                          {"VIEW_VALUE": "weather_stage(position.xy)", "WEATHER_STAGE": ""}),
             "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)
     for name in sorted(path.name for path in SHADERS.glob("*.glsl"))
-    for defines in VARIANTS.get(name, ({"VIEW_VALUE": "vec3(1.0)"} if name.endswith("view.glsl") else {},))
+    for defines in VARIANTS.get(name, ({"VIEW_VALUE": "vec3(1.0)"} if name == "cloud_view.glsl" else {},))
 ]
 GOOD = """#ifdef VERTEX
 void main() { gl_Position = vec4(0.0); }
@@ -144,6 +147,8 @@ def test_views_compile_with_at_most_16_samplers(ctx):
             defines = {"LAYER": ""} if view.layer else {"WALKABLE": ""} if view.name == "walkable" else {}
             defines |= {"SHORE_FIELD": ""} if "shore_field" in view.value else {}
             defines |= {"PATCHES": ""} if "patch_colour" in view.value else {}
+            defines |= {"WEATHER_STAGE": ""} if "weather_stage" in view.value else {}
+            defines |= {"WEATHER": ""} if "rain_at" in view.value or "weather_map" in view.value else {}
             name = "cloud_view.glsl" if view.sky else "view.glsl"
             assert len(programs.get(name, VIEW_VALUE=view.value, **defines).samplers) <= MOST_SAMPLERS
     programs.release()

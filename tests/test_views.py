@@ -34,6 +34,8 @@ def small_coast():
     ):
         level.put_object(thing.id, thing)
     level.put_mesh("block", block())
+    level.set("weather.precipitation", 0.6)  # for the views alone: there are no clouds
+    level.set("weather.temperature_c", 1.0)
     return level
 
 

@@ -23,6 +23,7 @@ def render(
     time: Annotated[float, Parameter(allow_leading_hyphen=True, help="Seconds on the level's clock.")] = 0.0,
     view: Annotated[str, Parameter(help="A buffer or mask; `shorewright views` lists them.")] = "final",
     environment: Annotated[str | None, Parameter(help="Light and air by name; `shorewright environments`.")] = None,
+    weather: Annotated[str | None, Parameter(help="Waves, wind and sky by name; `shorewright weathers`.")] = None,
     assignments: Annotated[
         list[str] | None, Parameter(name="--set", negative="", help="NAME=VALUE, may repeat.")
     ] = None,
@@ -50,7 +51,7 @@ def render(
     options["samples"] = int(finite(samples, "--samples", 1, 1024))
     times = _times(time, frames, fps)
     writable_parent(output)
-    found = _level(level, environment, assignments)
+    found = _level(level, environment, weather, assignments)
     options |= look(view, hide)
     if inset:
         options["overlays"] = _insets(inset)
@@ -67,16 +68,19 @@ def _times(start: float, frames: int | None, fps: float) -> list[float]:
     return [start + n / fps for n in range(int(finite(1 if frames is None else frames, "--frames", 1, 100_000)))]
 
 
-def _level(path: Path, environment: str | None, assignments: list[str] | None):
-    """A level under an environment, with single settings changed."""
+def _level(path: Path, environment: str | None, weather: str | None, assignments: list[str] | None):
+    """A level under an environment and a weather, with single settings changed."""
     from ...io import read_level
     from ...level.environments import environment_settings
+    from ...level.weather_presets import weather_settings
 
     notes: list[str] = []
     level = read_level(path, notes)
     put_notes(notes)
     if environment:
         level.set_settings(environment_settings(level.settings, environment))
+    if weather:
+        level.set_settings(weather_settings(level.settings, weather))
     for text in assignments or []:
         level.set(*assignment(text))
     return level

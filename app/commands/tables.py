@@ -1,4 +1,4 @@
-"""`views`, `brushes`, `layers`, `settings`, `environments`: the tables the program is made of."""
+"""`views`, `brushes`, `layers`, `settings`, `environments`, `weathers`: the tables the program is made of."""
 
 from __future__ import annotations
 
@@ -78,6 +78,17 @@ def environments(*, as_json: Json = False) -> int:
         put_json([asdict(row) for row in ENVIRONMENTS.values()])
     else:
         put_table([(row.name, row.doc) for row in ENVIRONMENTS.values()])
+    return 0
+
+
+def weathers(*, as_json: Json = False) -> int:
+    """List the weathers: named waves, wind and sky, as --weather takes them."""
+    from ...level.weather_presets import WEATHERS
+
+    if as_json:
+        put_json([asdict(row) for row in WEATHERS.values()])
+    else:
+        put_table([(row.name, row.doc) for row in WEATHERS.values()])
     return 0
 
 

@@ -21,7 +21,6 @@ def draw(frame: Frame) -> None:
     ctx, used = frame.renderer.ctx, {}
     if not frame.overlays.insets:
         return
-    frame.targets.display.use()
     for inset in frame.overlays.insets:
         view = find_inset(inset.view)
         box = _box(inset, view, frame.full_size, used.get(inset.corner, 0.0))
@@ -30,6 +29,7 @@ def draw(frame: Frame) -> None:
         shader = _sky(frame, inset, box) if inset.view in SKY_INSETS else _view(frame, inset, view, box)
         shader.program["u_ramp"].value = RAMPS.index(view.ramp)
         shader.program["u_range"].value = view.low, view.high
+        frame.targets.display.use()  # only now: what a view binds may be drawn first
         frame.targets.display.scissor = tuple(int(v) for v in box)
         ctx.disable(ctx.BLEND)
         try:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ...level.weather_keys import run_m
 from ..camera import camera_matrices
 from ..frame import Frame
 from ..scatter import CONTACT_FLOATS, Batch, Eye, Meshes, contacts, gather
@@ -59,10 +60,11 @@ def eye(frame: Frame) -> Eye:
 def wind_uniforms(frame: Frame) -> dict:
     """Gusts that run about along `u_wind_way`, phases wrapped here; `u_wind_bend` in radians of lean."""
     sea, sway = frame.level.settings.sea, frame.level.settings.scatter.sway
+    blown_m = run_m(frame.level, frame.time_s, "sea.wind_mps")
     waves = []
     for length, speed, turn in GUSTS:
         heading = math.radians(90.0 - sea.swell_heading_deg) + turn
-        phase = frame.time_s * speed * (0.4 + 0.12 * sea.wind_mps) / length
+        phase = speed * (0.4 * frame.time_s + 0.12 * blown_m) / length
         waves.append((math.cos(heading) / length, math.sin(heading) / length, phase - math.floor(phase), 0.0))
     bend = sway * 0.55 * sea.wind_mps / (sea.wind_mps + 9.0)
     return {"u_gusts": np.array(waves, np.float32), "u_wind_bend": bend}

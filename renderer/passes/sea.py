@@ -14,6 +14,7 @@ import numpy as np
 from ...level.flow import current
 from ...level.patches import BASE_M, PATCH_M, Circle, extents, in_mesh
 from ...level.waves import largest_height_m
+from ...level.weather_keys import points_change
 from ..frame import Frame
 from ..mesh import Lod, View, mesh_uniforms, select
 from ..uniforms import set_uniforms
@@ -134,7 +135,7 @@ def bind_water(frame: Frame) -> None:
     """What the sea's shaders read of painted layers and of the current."""
     uploader = frame.renderer.uploader
     frame.textures["u_layer_foam"] = uploader.layer(frame.level, "foam")
-    frame.textures["u_current"] = uploader.current(frame.level)
+    frame.textures["u_current"] = uploader.current(frame.level, points_change(frame.level, frame.time_s))
     frame.uniforms["u_current_cell_m"] = current(frame.level).cell_m
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from ..frame import Frame
 from ..uniforms import shore_field_uniforms
 from ..view_row import View
-from . import cloud_view
+from . import cloud_view, weather
 from .sea import bind_water, extent_uniforms, sea_extent
 
 
@@ -39,5 +39,11 @@ def bind_view(frame: Frame, view: View) -> dict[str, str]:
         defines["PATCHES"] = ""
         frame.textures["u_patch_kinds"], frame.uniforms["u_patch_first"] = uploader.patch_kinds(frame.level)
         frame.uniforms |= extent_uniforms(frame, sea_extent(frame))
+    if "weather_stage" in view.value:
+        defines["WEATHER_STAGE"] = ""
+        weather.bind_map(frame, view.name.removeprefix("weather_"))
+    if "rain_at" in view.value or "weather_map" in view.value:
+        defines["WEATHER"] = ""
+        weather.bind_map(frame)
     bind_water(frame)
     return defines

@@ -24,10 +24,15 @@ class WeatherMap:
 def draw(frame: Frame) -> None:
     if not frame.level.settings.clouds.on:
         return
-    held = frame.renderer.kept
-    made = held.get("weather") or held.setdefault("weather", WeatherMap(frame.renderer.ctx))
-    make_map(frame, made, "final")
-    frame.textures["u_weather"] = made.texture
+    bind_map(frame)
+
+
+def bind_map(frame: Frame, stage: str = "final") -> None:
+    """Put the map as it is after one of STAGES where shaders read it, with clouds or without."""
+    held, name = frame.renderer.kept, f"weather_{stage}"
+    made = held.get(name) or held.setdefault(name, WeatherMap(frame.renderer.ctx))
+    make_map(frame, made, stage)
+    frame.textures["u_weather" if stage == "final" else "u_weather_stage"] = made.texture
 
 
 def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
@@ -36,11 +41,19 @@ def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
     values = weather_uniforms(level, frame.time_s)
     shader = frame.shader("weather.glsl", **bind_weather(frame, values))
     camera = tuple(float(v) for v in frame.matrices.position[:2])
-    painted = level.layers["weather"], uploader.seen["layer_weather"]
-    key = *values.values(), stage, camera, level.settings.level.seed, *painted, shader.generation
+    key = (
+        *(v.tobytes() if hasattr(v, "tobytes") else v for v in values.values()),
+        stage,
+        camera,
+        level.settings.level.seed,
+        level.layers["weather"],
+        uploader.seen["layer_weather"],
+        shader.generation,
+    )
     if made.key == key:
         return
     made.framebuffer.use()
+    frame.renderer.ctx.disable(frame.renderer.ctx.BLEND)
     set_uniforms(shader.program, {**values, "u_stage": STAGES.index(stage), "u_map_side": float(SIDE)})
     shader.fullscreen()
     made.key = key

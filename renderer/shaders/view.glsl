@@ -35,6 +35,13 @@ uniform sampler2D u_walkable;
 #ifdef PATCHES
 #include "lib/patches.glsl"
 #endif
+#ifdef WEATHER
+#include "level/rain.glsl"
+#endif
+#ifdef WEATHER_STAGE
+uniform sampler2D u_weather_stage;
+vec3 weather_stage(vec2 xy) { return textureLod(u_weather_stage, xy / 70000.0 + 0.5, 0.0).rgb; }
+#endif
 out vec4 out_value;
 
 vec3 material_colour(int material) {

@@ -6,7 +6,7 @@ uniform sampler3D u_cloud_shape;   // Perlin-Worley, three octaves of inverted W
 uniform sampler3D u_cloud_detail;  // three finer ones and their fBm
 uniform sampler2D u_cloud_curl;    // a field without divergence, about one half
 uniform sampler2D u_cloud_profile; // density by height, rows stratus, cumulus, cumulonimbus (Z03)
-uniform sampler2D u_weather;
+#include "level/weather_map.glsl"
 uniform vec2 u_cloud_camera;       // east and north of the camera in the weather map, m
 uniform vec4 u_cloud_drift;        // east and north that the air has moved: within a tile of the shape, of the detail
 uniform vec4 u_cloud_way;          // the wind's way at the base, at the top
