@@ -6,6 +6,7 @@ import time
 
 from imgui_bundle import imgui
 
+from ..level.sun import day_moment, day_runs
 from . import theme
 from .editor import Editor
 from .panels.history_panel import bytes_text
@@ -18,10 +19,19 @@ _memory = {"at": -1e9, "bytes": 0}
 def draw(editor: Editor, picture: Picture | None) -> None:
     probe = editor.probe()
     imgui.text_unformatted(sentence(probe) if probe else "Point at the ground to read it")
-    right = f"{_speed(editor, picture)}      memory {bytes_text(resident_bytes())}"
+    right = f"{day_text(editor)}{_speed(editor, picture)}      memory {bytes_text(resident_bytes())}"
     width = imgui.calc_text_size(right).x
     imgui.same_line(max(imgui.get_window_width() - width - 14, 0))
     imgui.text_colored(theme.colour(theme.INK_FAINT), right)
+
+
+def day_text(editor: Editor) -> str:
+    """Date and hour at the place while its day runs (Z25)."""
+    light = editor.session.level.settings.light
+    if not day_runs(light):
+        return ""
+    moment = day_moment(light, editor.session.clock.time_s)
+    return f"{moment.day} {moment:%B, %H:%M}      "
 
 
 def _speed(editor: Editor, picture: Picture | None) -> str:
