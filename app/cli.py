@@ -27,6 +27,7 @@ VERBS: dict[str, str] = {
     "info": "levels:info",
     "render": "pictures:render",
     "sheet": "sheets:sheet",
+    "shot": "shots:app",
     "stroke": "scripts:stroke",
     "export": "exports:export",
     "check": "exports:check",
@@ -93,11 +94,14 @@ def _refuse(sentence: str) -> int:
 def _usage(error: cyclopts.CycloptsError, argv: list[str]) -> str:
     """What is wrong with a command line, and where to read on."""
     verb = argv[0] if argv and argv[0] in VERBS else ""
+    if VERBS.get(verb, "").endswith(":app"):  # words under a word
+        verb = " ".join(word for word in argv[:2] if not word.startswith("-"))
     help_page = f"`shorewright {verb} --help`" if verb else "`shorewright --help`"
     if isinstance(error, cyclopts.UnusedCliTokensError):
         told = f"{verb} does not take {' '.join(error.unused_tokens or [])}"
     elif isinstance(error, cyclopts.UnknownCommandError):
-        told = f"there is no command {argv[0]!r}"
+        told, help_page = f"there is no command {(verb or argv[0])!r}", f"`shorewright {argv[0]} --help`"
+        help_page = help_page if argv[0] in VERBS else "`shorewright --help`"
     elif isinstance(error, cyclopts.MissingArgumentError) and error.argument is not None:
         told = _missing(error.argument, verb, argv)
     else:

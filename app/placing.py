@@ -47,6 +47,8 @@ PLACEABLES: dict[str, Placeable] = {
         Placeable("sea_patch", "sea_patch", "patch", "Sea patch", "vector_square", "Kind of sea of a hectare (H27)."),
         Placeable("sea_seed", "sea_seed", "seed", "Sea seed", "droplet", "Water here counts as sea."),
         Placeable("camera", "camera", "camera", "Camera", "video", "This view, kept.", clicks=False),
+        Placeable("shot", "shot", "shot", "Shot", "clapperboard",
+                  "The sky as it is now, kept for 20 s of the clock (Z20).", clicks=False),
         Placeable("water_table", "water_table", "water", "Water table", "swatchbook",
                   "The water's colour as gradient stops, in use at once (H15).", clicks=False),
     )
@@ -95,6 +97,8 @@ def put(session: Session, name: str, at: tuple[float, float, float] | None = Non
     thing_id = free_name(session, row.start)
     if name == "water_table":
         session.place(optics_table(thing_id, session.level.settings.water), use=True)
+    elif name == "shot":
+        thing_id = session.shot_add(thing_id, camera="")
     elif name == "camera":
         session.place(session.camera.model_copy(update={"id": thing_id}), merge)
     elif name == "prop":
@@ -136,7 +140,7 @@ def duplicate(session: Session) -> None:
     """The selected object once more, beside it."""
     thing = session.object(session.selected)
     name = free_name(session, thing.id.rstrip("0123456789").rstrip("-") or thing.id)
-    beside = {"id": name, "x": thing.x + 4.0, "y": thing.y - 4.0} if thing.kind != "water_table" else {"id": name}
+    beside = {"id": name, "x": thing.x + 4.0, "y": thing.y - 4.0} if not thing.placeless else {"id": name}
     session.place(thing.model_copy(update=beside))
     session.selected = name
 

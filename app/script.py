@@ -119,8 +119,43 @@ class Mesh(Do):
     scale: float = Field(1.0, gt=0, le=1e6)
 
 
+class ShotAdd(Do):
+    """A shot with a sky of its own: now, paint, an image, or one packed into the word."""
+
+    do: Literal["shot_add"] = "shot_add"
+    id: str = ""
+    start_s: float | None = None
+    end_s: float | None = None
+    fade_s: float = 2.0
+    camera: str = ""
+    source: str = "now"
+    at_s: float | None = None
+    packed: str = ""
+
+
+class ShotToPaint(Do):
+    """The sky of a shot over the painted one."""
+
+    do: Literal["shot_to_paint"] = "shot_to_paint"
+    id: str
+
+
 Action = Annotated[
-    Stroke | Set | SetAll | Time | Plain | Steps | Place | Remove | Rename | Resize | Crop | Import | Mesh,
+    Stroke
+    | Set
+    | SetAll
+    | Time
+    | Plain
+    | Steps
+    | Place
+    | Remove
+    | Rename
+    | Resize
+    | Crop
+    | Import
+    | Mesh
+    | ShotAdd
+    | ShotToPaint,
     Field(discriminator="do"),
 ]
 ACTION = TypeAdapter(Action)

@@ -1,8 +1,8 @@
 """The weather map: coverage, precipitation and type of the sky round a camera at a time; twin of shaders/weather.glsl.
 
-Order at every sample: simulation with bias (Z05) → paint by its weights → the horizon's own sky (Z06) → what rains
-becomes cumulonimbus (Z04). Everything is a function of time, so that the clock may be scrubbed both ways. The map is a
-torus of 70 km, asked at the place nearest to the camera; paint and simulation lie in the moving air.
+Order at every sample: simulation with bias (Z05) → skies of shots (Z20) → paint by its weights → the horizon's own sky
+(Z06) → what rains becomes cumulonimbus (Z04). Everything is a function of time, so that the clock may be scrubbed both
+ways. The map is a torus of 70 km, asked at the place nearest to the camera; paint and simulation lie in the moving air.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ import numpy as np
 from .layers import WEATHER_GRID
 from .level import Level
 from .settings import Settings
+from .shots import Seen, shots_at
 from .textures import spectral_noise
 
 SIDE = WEATHER_GRID.rows
@@ -24,6 +25,8 @@ STAGES = ("simulated", "painted", "horizon", "final")
 RAINY = 0.7  # coverage that precipitation pulls to (Z04)
 SOFT = 0.15  # of the rain noise's range: from no rain to full rain
 FINE = 0.55  # amplitude of the small pattern against the broad one
+SHOT_PLACES = ("u_weather_shot_a_at", "u_weather_shot_b_at")
+NO_SHOT = (0.0, 0.0, 0.0)
 SHIFTS = ((0.0, 0.0), (0.371, 0.613), (0.729, 0.237))  # of coverage, type and rain on the one noise, in tiles
 
 
@@ -59,13 +62,25 @@ def paint_place(level: Level, time_s: float, x, y):
     return tuple((np.asarray(at, np.float64) - off + half) % TILE_M - half for at, off in zip((x, y), moved))
 
 
-def weather_uniforms(level: Level, time_s: float) -> dict:
-    """What weather.glsl asks for besides its settings and textures."""
+def shot_place(level: Level, seen: Seen, time_s: float) -> tuple[float, float, float]:
+    """Metres east and north that a shot's sky has moved, and its share."""
+    moved = middle_m(level.settings)
+    if seen.shot.drifts:
+        moved = moved + drift_m(level, time_s) - drift_m(level, seen.shot.start_s)
+    return (*(float(v) for v in moved), seen.share)
+
+
+def weather_uniforms(level: Level, time_s: float, seen_by: str = "") -> dict:
+    """What weather.glsl asks for besides its settings and textures; `seen_by` is the name of the picture's camera."""
     settings = level.settings
     weather = settings.weather
     at = time_s / weather.growth_s * float(weather.evolve)
     broad, fine = 2 * math.pi * (at % 1.0), 2 * math.pi * ((2 * at) % 1.0)
     drift, middle = drift_m(level, time_s), middle_m(settings)
+    shots = shots_at(level, time_s, seen_by)
+    places = [shot_place(level, seen, time_s) for seen in shots]
+    bare = [math.prod(1 - seen.share * hides for seen, hides in zip(shots, flags)) for flags in (
+        [not seen.shot.painted for seen in shots], [seen.shot.whole for seen in shots])]  # fmt: skip
     return {
         "u_weather_turn": (math.cos(broad), math.sin(broad), math.cos(fine), math.sin(fine)),
         "u_weather_moved": tuple(drift + middle),
@@ -75,6 +90,8 @@ def weather_uniforms(level: Level, time_s: float) -> dict:
             weather.horizon_start_m, max(weather.horizon_end_m, weather.horizon_start_m + 1.0),
             weather.horizon_coverage, weather.horizon_type,
         ),
+        **dict(zip(SHOT_PLACES, (*places, NO_SHOT, NO_SHOT))),
+        "u_weather_over_shots": tuple(float(part) for part in bare),
         "u_weather_painted": weather.painted and not level.layers["weather"].neutral,
     }  # fmt: skip
 
@@ -90,30 +107,33 @@ def nearest_m(at: np.ndarray, centre: float) -> np.ndarray:
     return at - TILE_M * np.round((at - centre) / TILE_M)
 
 
-def weather_map(level: Level, time_s: float, camera: tuple[float, float], stage: str = "final") -> np.ndarray:
+def weather_map(
+    level: Level, time_s: float, camera: tuple[float, float], stage: str = "final", seen_by: str = ""
+) -> np.ndarray:
     """float32 `(512, 512, 4)`: coverage, precipitation, type (final: 0 stratus, 0.5 cumulus, 1 cumulonimbus), weight.
 
     `camera` is east and north in world metres; texel (i, j) stands for the place nearest to it of texel_metres' torus.
     """
     x, y = texel_metres()
     x, y = nearest_m(x, camera[0]), nearest_m(y, camera[1])
-    return weather_at(level, time_s, x, y, camera, stage)
+    return weather_at(level, time_s, x, y, camera, stage, seen_by)
 
 
-def weather_at(level: Level, time_s: float, x, y, camera=None, stage: str = "final") -> np.ndarray:
+def weather_at(level: Level, time_s: float, x, y, camera=None, stage: str = "final", seen_by: str = "") -> np.ndarray:
     """float32 `(…, 4)` of the same at world points; without a camera there is no horizon."""
-    uniforms = weather_uniforms(level, time_s)
-    sky = _simulated(level, uniforms, x, y)
+    uniforms = weather_uniforms(level, time_s, seen_by)
+    sky = _with_shots(level, uniforms, shots_at(level, time_s, seen_by), x, y)
+    painted_over, horizon_over = uniforms["u_weather_over_shots"]
     weight = np.zeros_like(sky)
     if stage != "simulated" and uniforms["u_weather_painted"]:
         painted = sample_wrapped(level.layers["weather"].array, *paint_place(level, time_s, x, y))
-        weight = painted[..., 3:]
+        weight = painted[..., 3:] * painted_over
         sky = sky + (painted[..., :3] - sky) * weight
     if stage in ("horizon", "final") and camera is not None:
         start, end, coverage, kind = uniforms["u_weather_horizon"]
         away = np.hypot(x - camera[0], y - camera[1])
         t = np.clip((away - start) / (end - start), 0, 1)
-        share = (t * t * (3 - 2 * t))[..., None] * (1 - weight)
+        share = (t * t * (3 - 2 * t))[..., None] * (1 - weight) * horizon_over
         sky = sky + (np.array([coverage, 0.0, kind]) - sky) * share
     if stage == "final":
         sky = pulled(sky)
@@ -125,6 +145,16 @@ def pulled(sky: np.ndarray) -> np.ndarray:
     coverage, rain, kind = np.moveaxis(sky, -1, 0)
     coverage = coverage + (np.maximum(coverage, RAINY) - coverage) * rain
     return np.stack([coverage, rain, 0.5 * kind + (1 - 0.5 * kind) * rain], -1)
+
+
+def _with_shots(level: Level, uniforms: dict, shots: tuple[Seen, ...], x, y) -> np.ndarray:
+    """The simulation under the skies of shots (Z20)."""
+    sky = _simulated(level, uniforms, x, y)
+    for name, seen in zip(SHOT_PLACES, shots):
+        east, north, share = uniforms[name]
+        own = sample_wrapped(level.skies[seen.shot.map].astype(np.float32), x - east, y - north)
+        sky = sky + (own - sky) * share
+    return sky
 
 
 def _simulated(level: Level, uniforms: dict, x, y) -> np.ndarray:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...level.shots import shots_at
 from ...level.weather import SIDE, STAGES, weather_noise, weather_uniforms
 from ..frame import Frame
 from ..uniforms import set_uniforms
@@ -33,10 +34,11 @@ def draw(frame: Frame) -> None:
 def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
     """Bring a map up to date as it is after one of STAGES."""
     level, uploader = frame.level, frame.renderer.uploader
-    values = weather_uniforms(level, frame.time_s)
+    values = weather_uniforms(level, frame.time_s, frame.camera.id)
     shader = frame.shader("weather.glsl", **bind_weather(frame, values))
     camera = tuple(float(v) for v in frame.matrices.position[:2])
-    key = *values.values(), stage, camera, level.settings.level.seed, uploader.seen["layer_weather"], shader.generation
+    seen = tuple(uploader.seen[name] for name in ("layer_weather", "u_weather_shot_a", "u_weather_shot_b"))
+    key = *values.values(), seen, stage, camera, level.settings.level.seed, shader.generation
     if made.key == key:
         return
     made.framebuffer.use()
@@ -51,6 +53,9 @@ def bind_weather(frame: Frame, values: dict) -> dict[str, str]:
     uploader = frame.renderer.uploader
     frame.textures["u_layer_weather"] = uploader.layer(frame.level, "weather")
     frame.textures["u_layer_weather_more"] = uploader.textures["u_layer_weather_more"]
+    shots = [seen.shot.map for seen in shots_at(frame.level, frame.time_s, frame.camera.id)]
+    for sampler, name in zip(("u_weather_shot_a", "u_weather_shot_b"), (*shots, "", "")):
+        frame.textures[sampler] = uploader.shot_sky(frame.level, sampler, name)
     frame.textures["u_weather_noise"] = uploader.weather_noise(frame.level, weather_noise)
     frame.uniforms |= values
     return {}
