@@ -7,6 +7,7 @@ from imgui_bundle import imgui
 from . import placing, theme
 from .editor import Editor
 from .file_forms import ExportForm, Form, ImportForm, NewForm, OpenForm, PathField, SaveAsForm
+from .shot_forms import ShotForm
 
 
 class PropForm(Form):
@@ -33,5 +34,5 @@ class PropForm(Form):
 
 FORMS: dict[str, type[Form]] = {
     "new": NewForm, "open": OpenForm, "save_as": SaveAsForm, "import": ImportForm, "export": ExportForm,
-    "prop": PropForm,
+    "prop": PropForm, "shot_file": ShotForm,
 }  # fmt: skip

@@ -98,7 +98,7 @@ def put(session: Session, name: str, at: tuple[float, float, float] | None = Non
     if name == "water_table":
         session.place(optics_table(thing_id, session.level.settings.water), use=True)
     elif name == "shot":
-        thing_id = session.shot_add(thing_id, camera="")
+        session.shot_add(thing_id)
     elif name == "camera":
         session.place(session.camera.model_copy(update={"id": thing_id}), merge)
     elif name == "prop":

@@ -8,7 +8,7 @@ from imgui_bundle import imgui
 
 from ..level.params import row
 from ..level.settings import Settings
-from . import theme
+from . import theme, timeline_marks
 from .editor import Editor
 from .param_widgets import slider, tooltip
 
@@ -37,6 +37,7 @@ class Timeline:
     def __init__(self, editor: Editor) -> None:
         self.editor = editor
         self._ran = False  # time ran before the scrubbing began
+        self._marks = ""  # what those under the pointer are called
 
     def draw(self) -> None:
         clock = self.editor.session.clock
@@ -89,7 +90,7 @@ class Timeline:
         if imgui.is_item_deactivated():
             clock.paused = not self._ran
         self._paint(corner, width, first, last, imgui.is_item_hovered())
-        tooltip("Drag to scrub. A tick for every wave that sets out.")
+        tooltip(self._marks or "Drag to scrub. A tick for every wave that sets out, a bar for every shot.")
 
     def _paint(self, corner, width: float, first: float, last: float, hovered: bool) -> None:
         clock = self.editor.session.clock
@@ -109,6 +110,9 @@ class Timeline:
             draw_list.add_line(
                 imgui.ImVec2(x, high.y - 8), imgui.ImVec2(x, high.y - 1), theme.packed(theme.INK, 0.35), 1.5
             )
+        self._marks = timeline_marks.draw(
+            self.editor.session.level, self.editor.session.selected, low, high, first, last
+        )
         draw_list.add_line(imgui.ImVec2(now, low.y - 2), imgui.ImVec2(now, high.y + 2), theme.packed(theme.INK), 2)
         for time_s, right in ((first, False), (last, True)):
             text = f"{time_s:g}"
