@@ -207,6 +207,12 @@ class Edits(Shots):
                 self.remove(action.id)
             case words.Rename():
                 self.rename(action.id, action.to)
+            case words.ShotAdd():
+                source = unpacked(action.packed) if action.source == "packed" else action.source
+                fields = action.model_dump(include={"start_s", "end_s", "fade_s", "camera", "at_s"})
+                self.shot_add(action.id, source=source, **fields)
+            case words.ShotToPaint():
+                self.shot_to_paint(action.id)
             case words.Resize():
                 self.resize(action.samples, action.cell_m)
             case words.Crop():
@@ -215,12 +221,6 @@ class Edits(Shots):
                 self.import_height(action.path, **action.flags)
             case words.Mesh():
                 self.import_mesh(action.path, action.up, action.scale)
-            case words.ShotAdd():
-                source = unpacked(action.packed) if action.source == "packed" else action.source
-                fields = action.model_dump(include={"start_s", "end_s", "fade_s", "camera", "at_s"})
-                self.shot_add(action.id, source=source, **fields)
-            case words.ShotToPaint():
-                self.shot_to_paint(action.id)
             case words.Plain():
                 PLAIN[action.do](self)
 

@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from imgui_bundle import imgui
 
-from . import placing, theme
+from . import placing, shot_forms, theme
 from .editor import Editor
 from .file_forms import ExportForm, Form, ImportForm, NewForm, OpenForm, PathField, SaveAsForm
-from .shot_forms import ShotForm
 
 
 class PropForm(Form):
@@ -33,6 +32,7 @@ class PropForm(Form):
 
 
 FORMS: dict[str, type[Form]] = {
+    "shot_file": shot_forms.ShotForm,
     "new": NewForm, "open": OpenForm, "save_as": SaveAsForm, "import": ImportForm, "export": ExportForm,
-    "prop": PropForm, "shot_file": ShotForm,
+    "prop": PropForm,
 }  # fmt: skip

@@ -13,7 +13,7 @@ from .tools import BRUSH
 ORDER = ("File", "Edit", "Brush", "Light", "Place", "Time", "View")
 INNER = {"In the middle": "Place"}  # menus within others
 RULED = {
-    "import", "quit", "abort", "frame", "next_view", "brush.raise", "tool.prop", "prop_file", "object.delete", "shot",
+    "import", "quit", "abort", "frame", "next_view", "brush.raise", "tool.prop", "prop_file", "object.delete",
 }  # a line above these  # fmt: skip
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),

@@ -110,15 +110,6 @@ class Import(Do):
     flags: dict[str, Any] = {}
 
 
-class Mesh(Do):
-    """A mesh from a file, for props to name; its name follows from what is in it."""
-
-    do: Literal["mesh"] = "mesh"
-    path: str
-    up: Literal["y", "z"] | None = None
-    scale: float = Field(1.0, gt=0, le=1e6)
-
-
 class ShotAdd(Do):
     """A shot with a sky of its own: now, paint, an image, or one packed into the word."""
 
@@ -138,6 +129,15 @@ class ShotToPaint(Do):
 
     do: Literal["shot_to_paint"] = "shot_to_paint"
     id: str
+
+
+class Mesh(Do):
+    """A mesh from a file, for props to name; its name follows from what is in it."""
+
+    do: Literal["mesh"] = "mesh"
+    path: str
+    up: Literal["y", "z"] | None = None
+    scale: float = Field(1.0, gt=0, le=1e6)
 
 
 Action = Annotated[

@@ -133,23 +133,6 @@ class Prop(Placed):
     ripples: bool = param(True, doc="It draws rings on the water.")
 
 
-class Hit(Placed):
-    """Something small that struck the water at one moment and drew a ring (H19)."""
-
-    kind: Literal["hit"] = "hit"
-    time_s: float = param(0.0, 0, 1e7, "s", "When it struck.")
-    size: float = param(1.0, 0.01, 20, "×", "How hard.", soft=(0.1, 4))
-
-
-class Mover(Placed):
-    """Something that wades in a circle and stirs the water (D18)."""
-
-    kind: Literal["mover"] = "mover"
-    circle_m: float = param(4.0, 0, 200, "m", "Radius of its circle.", soft=(0.5, 30))
-    speed_mps: float = param(2.0, -20, 20, "m/s", "Its speed along it.", soft=(-6, 6))
-    radius_m: float = param(0.6, 0.1, 20, "m", "How broad it is.", soft=(0.2, 4))
-
-
 class Shot(Placed):
     """A sky painted for one shot: from start to end it takes the simulation's place (Z20)."""
 
@@ -165,6 +148,23 @@ class Shot(Placed):
     drifts: bool = param(True, doc="Its sky goes with the wind from its start on; off, it stands.")
     painted: bool = param(True, doc="The painted sky lies over it; off, its sky is all of it.")
     whole: bool = param(False, doc="It reaches to the horizon; off, the horizon's own sky stands round it.")
+
+
+class Hit(Placed):
+    """Something small that struck the water at one moment and drew a ring (H19)."""
+
+    kind: Literal["hit"] = "hit"
+    time_s: float = param(0.0, 0, 1e7, "s", "When it struck.")
+    size: float = param(1.0, 0.01, 20, "×", "How hard.", soft=(0.1, 4))
+
+
+class Mover(Placed):
+    """Something that wades in a circle and stirs the water (D18)."""
+
+    kind: Literal["mover"] = "mover"
+    circle_m: float = param(4.0, 0, 200, "m", "Radius of its circle.", soft=(0.5, 30))
+    speed_mps: float = param(2.0, -20, 20, "m/s", "Its speed along it.", soft=(-6, 6))
+    radius_m: float = param(0.6, 0.1, 20, "m", "How broad it is.", soft=(0.2, 4))
 
 
 _KINDS = (

@@ -150,7 +150,7 @@ class Light(Section):
         soft=(0, 3600),
     )  # fmt: skip
     day_h: float = param(24.0, 0.1, 10_000, "h", "Length of a whole day at a rate of 1.", soft=(1, 48))
-    adapt: float = param(0.85, 0, 1, "", "How far the exposure follows the light while the day runs.")
+    adapt: float = param(0.82, 0, 1, "", "How far the exposure follows the light while the day runs.")
     moonlit: bool = param(True, doc="The full moon shines at night, opposite the sun, while the day runs.")
     body: Literal["sun", "moon", "even"] = param(
         "sun", doc="What shines: the sun, the full moon in its place, or even white light from all sides."

@@ -22,11 +22,11 @@ SIDE = WEATHER_GRID.rows
 TILE_M = WEATHER_GRID.extent_m[0]
 NOISE_SIDE = 256
 STAGES = ("simulated", "painted", "horizon", "final")
+SHOT_PLACES = ("u_weather_shot_a_at", "u_weather_shot_b_at")
+NO_SHOT = (0.0, 0.0, 0.0)
 RAINY = 0.7  # coverage that precipitation pulls to (Z04)
 SOFT = 0.15  # of the rain noise's range: from no rain to full rain
 FINE = 0.55  # amplitude of the small pattern against the broad one
-SHOT_PLACES = ("u_weather_shot_a_at", "u_weather_shot_b_at")
-NO_SHOT = (0.0, 0.0, 0.0)
 SHIFTS = ((0.0, 0.0), (0.371, 0.613), (0.729, 0.237))  # of coverage, type and rain on the one noise, in tiles
 
 
@@ -82,6 +82,8 @@ def weather_uniforms(level: Level, time_s: float, seen_by: str = "") -> dict:
     bare = [math.prod(1 - seen.share * hides for seen, hides in zip(shots, flags)) for flags in (
         [not seen.shot.painted for seen in shots], [seen.shot.whole for seen in shots])]  # fmt: skip
     return {
+        **dict(zip(SHOT_PLACES, (*places, NO_SHOT, NO_SHOT))),
+        "u_weather_over_shots": tuple(float(part) for part in bare),
         "u_weather_turn": (math.cos(broad), math.sin(broad), math.cos(fine), math.sin(fine)),
         "u_weather_moved": tuple(drift + middle),
         "u_weather_paint_moved": tuple(middle + drift * float(weather.paint_drifts)),
@@ -90,8 +92,6 @@ def weather_uniforms(level: Level, time_s: float, seen_by: str = "") -> dict:
             weather.horizon_start_m, max(weather.horizon_end_m, weather.horizon_start_m + 1.0),
             weather.horizon_coverage, weather.horizon_type,
         ),
-        **dict(zip(SHOT_PLACES, (*places, NO_SHOT, NO_SHOT))),
-        "u_weather_over_shots": tuple(float(part) for part in bare),
         "u_weather_painted": weather.painted and not level.layers["weather"].neutral,
     }  # fmt: skip
 

@@ -19,8 +19,8 @@ from .sky_light import LUMINANCE, SkyLight, made, sky_light, unit_of
 LOWEST_DEG = -20.0  # from there on nothing of the sun is left
 LOW_DEG, LOW_STEP_DEG, STEP_DEG = 3.0, 0.25, 0.5  # about the horizon light changes the most
 MOON_WHOLE_DEG = -6.0  # elevation of the sun at which the moon has come up to its own light
-NIGHT_LUX = 20.0, 0.3  # light of dusk and of the full moon, between which colours turn to those of the night
-NIGHT_WHITE = 0.72  # of the temperature that shows as white by day
+NIGHT_LUX = 1.0, 0.05  # light of late dusk and of a low full moon, between which colours turn to those of night
+NIGHT_WHITE = 0.78  # of the temperature that shows as white by day
 SCALED = ("sun", "disc", "table", "deck", "harmonics", "aerial", "fog")  # what is times `unit`
 ODD = (3, 7)  # harmonics that change sign with the azimuth
 

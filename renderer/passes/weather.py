@@ -16,6 +16,7 @@ class WeatherMap:
         self.texture.filter = ctx.LINEAR, ctx.LINEAR
         self.framebuffer = ctx.framebuffer([self.texture])
         self.key: tuple = ()
+        self.skies: tuple = ()  # names of those of shots
 
     def release(self) -> None:
         self.framebuffer.release()
@@ -36,9 +37,10 @@ def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
     level, uploader = frame.level, frame.renderer.uploader
     values = weather_uniforms(level, frame.time_s, frame.camera.id)
     shader = frame.shader("weather.glsl", **bind_weather(frame, values))
+    if made.skies != (skies := (uploader.seen["u_weather_shot_a"], uploader.seen["u_weather_shot_b"])):
+        made.key, made.skies = (), skies
     camera = tuple(float(v) for v in frame.matrices.position[:2])
-    seen = tuple(uploader.seen[name] for name in ("layer_weather", "u_weather_shot_a", "u_weather_shot_b"))
-    key = *values.values(), seen, stage, camera, level.settings.level.seed, shader.generation
+    key = *values.values(), stage, camera, level.settings.level.seed, uploader.seen["layer_weather"], shader.generation
     if made.key == key:
         return
     made.framebuffer.use()
