@@ -70,6 +70,18 @@ def shot_place(level: Level, seen: Seen, time_s: float) -> tuple[float, float, f
     return (*(float(v) for v in moved), seen.share)
 
 
+def shot_uniforms(level: Level, time_s: float, seen_by: str) -> dict:
+    """What weather.glsl asks for of the shots that a camera sees, besides their skies."""
+    shots = shots_at(level, time_s, seen_by)
+    places = [shot_place(level, seen, time_s) for seen in shots]
+    paint = math.prod(1.0 if seen.shot.painted else 1.0 - seen.share for seen in shots)
+    horizon = math.prod(1.0 - seen.share if seen.shot.whole else 1.0 for seen in shots)
+    return {
+        **dict(zip(SHOT_PLACES, (*places, NO_SHOT, NO_SHOT))),
+        "u_weather_over_shots": (float(paint), float(horizon)),
+    }
+
+
 def weather_uniforms(level: Level, time_s: float, seen_by: str = "") -> dict:
     """What weather.glsl asks for besides its settings and textures; `seen_by` is the name of the picture's camera."""
     settings = level.settings
@@ -77,13 +89,8 @@ def weather_uniforms(level: Level, time_s: float, seen_by: str = "") -> dict:
     at = time_s / weather.growth_s * float(weather.evolve)
     broad, fine = 2 * math.pi * (at % 1.0), 2 * math.pi * ((2 * at) % 1.0)
     drift, middle = drift_m(level, time_s), middle_m(settings)
-    shots = shots_at(level, time_s, seen_by)
-    places = [shot_place(level, seen, time_s) for seen in shots]
-    bare = [math.prod(1 - seen.share * hides for seen, hides in zip(shots, flags)) for flags in (
-        [not seen.shot.painted for seen in shots], [seen.shot.whole for seen in shots])]  # fmt: skip
     return {
-        **dict(zip(SHOT_PLACES, (*places, NO_SHOT, NO_SHOT))),
-        "u_weather_over_shots": tuple(float(part) for part in bare),
+        **shot_uniforms(level, time_s, seen_by),
         "u_weather_turn": (math.cos(broad), math.sin(broad), math.cos(fine), math.sin(fine)),
         "u_weather_moved": tuple(drift + middle),
         "u_weather_paint_moved": tuple(middle + drift * float(weather.paint_drifts)),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from ...level.shots import shots_at
-from ...level.weather import SIDE, STAGES, weather_noise, weather_uniforms
+from ...level.weather import SIDE, STAGES, shot_uniforms, weather_noise, weather_uniforms
 from ..frame import Frame
 from ..uniforms import set_uniforms
 
@@ -59,5 +59,6 @@ def bind_weather(frame: Frame, values: dict) -> dict[str, str]:
     for sampler, name in zip(("u_weather_shot_a", "u_weather_shot_b"), (*shots, "", "")):
         frame.textures[sampler] = uploader.shot_sky(frame.level, sampler, name)
     frame.textures["u_weather_noise"] = uploader.weather_noise(frame.level, weather_noise)
-    frame.uniforms |= values
+    # whoever else draws the map may have asked without the camera
+    frame.uniforms |= values | shot_uniforms(frame.level, frame.time_s, frame.camera.id)
     return {}
