@@ -58,9 +58,16 @@ def outline(shot: Shot, first_s: float, last_s: float) -> list[tuple[float, floa
     return [*left, *inside, *right]
 
 
-def draw(level: Level, selected: str, low, high, first_s: float, last_s: float) -> str:
-    """Draw all marks into a rectangle of the screen; returns what those under the pointer are called, "" for none."""
-    draw_list, mouse, told = imgui.get_window_draw_list(), imgui.get_mouse_pos(), []
+def sentence(thing: Placed) -> str:
+    """What a mark stands for, on a line."""
+    if not isinstance(thing, Shot):
+        return f"{thing.id}: {thing.time_s:g} s"
+    return f"{thing.id}{f' of {thing.camera}' if thing.camera else ''}: {thing.start_s:g} to {thing.end_s:g} s"
+
+
+def draw(level: Level, selected: str, low, high, first_s: float, last_s: float) -> list[Placed]:
+    """Draw all marks into a rectangle of the screen; returns what those under the pointer stand for."""
+    draw_list, mouse, under = imgui.get_window_draw_list(), imgui.get_mouse_pos(), []
 
     def x_of(time_s: float) -> float:
         return low.x + (time_s - first_s) / (last_s - first_s) * (high.x - low.x)
@@ -73,13 +80,12 @@ def draw(level: Level, selected: str, low, high, first_s: float, last_s: float) 
         corners = [(points[0][0], foot), *points, (points[-1][0], foot)]
         draw_list.add_convex_poly_filled([imgui.ImVec2(*point) for point in corners], ink)
         if corners[0][0] <= mouse.x <= corners[-1][0] and foot - LANE_PX - 1 <= mouse.y <= foot + 1:
-            whose = f" of {bar.shot.camera}" if bar.shot.camera else ""
-            told.append(f"{bar.shot.id}{whose}: {bar.shot.start_s:g} to {bar.shot.end_s:g} s")
+            under.append(bar.shot)
     for key in keys(level, first_s, last_s):
         x, y, half = x_of(key.time_s), low.y + 6, 4.0
         corners = [(x - half, y), (x, y - half), (x + half, y), (x, y + half)]
         ink = theme.packed(theme.ACCENT_BRIGHT, 1.0 if key.id == selected else 0.8)
         draw_list.add_convex_poly_filled([imgui.ImVec2(*point) for point in corners], ink)
         if abs(mouse.x - x) <= half and abs(mouse.y - y) <= half:
-            told.append(f"{key.id}: {key.time_s:g} s")
-    return "\n".join(told)
+            under.append(key)
+    return under

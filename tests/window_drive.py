@@ -394,6 +394,15 @@ def shots(hands: Hands) -> None:
     session.set_all("Day", {"light.sun_from": "date", "light.day_rate": 600.0})
     hands.ctx.window_focus("//Objects")
     hands.ctx.yield_(4)
+    bar = hands.ctx.item_info("**/###scrub").rect_full
+    hands.ctx.mouse_move_to_pos((bar.min.x + 12.0 / 60.0 * (bar.max.x - bar.min.x), bar.max.y - 4))
+    hands.ctx.yield_(2)
+    hands.ctx.mouse_click(LEFT)
+    hands.ctx.yield_(2)
+    hands.note(clicked=session.selected, moment=session.clock.time_s)
+    session.selected = "shot-2"
+    session.scrub(16.0)
+    hands.ctx.yield_(2)
     shot = session.object("shot-2")
     hands.note(selected=session.selected, start=shot.start_s, marks=len(bars(session.level, 0, 60)))
     hands.ctx.item_click("**/###shot_to_paint")
