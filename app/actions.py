@@ -13,6 +13,7 @@ from ..brushes import BRUSHES
 from ..level.cloud_types import CLOUD_TYPES
 from ..level.environments import ENVIRONMENTS
 from ..level.framing import frame
+from ..level.objects import Shot
 from ..level.weather_presets import WEATHERS
 from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
@@ -121,6 +122,10 @@ def _rows() -> list[Action]:
             Action(f"place.{row.name}", f"{row.title} in the middle", (), "In the middle", _put(row.name))
             for row in placing.PLACEABLES.values()
         ),
+        Action("shot", "New shot from the sky now", (), "Light", _put("shot")),
+        Action("shot_paint", "New shot from the paint", (), "Light", _shot_of_paint),
+        Action("shot_file", "New shot from a weather map…", (), "Light", lambda s: s.ask("shot_file")),
+        Action("shot_to_paint", "Lay the shot's sky into the paint", (), "Light", _shot_to_paint, _has_shot),
         Action("object.delete", "Delete the object", ("Delete",), "Edit", placing.delete, _has_object),
         Action("object.duplicate", "Duplicate the object", ("Ctrl+D",), "Edit", placing.duplicate, _has_object),
         Action("object.left", "Turn the object left", ("Ctrl+[",), "Edit", _turn(-15.0), _has_object, repeats=True),
@@ -161,6 +166,19 @@ def _tool_title(row: Tool) -> str:
 
 def _put(name: str) -> Callable[[Session], object]:
     return lambda session: placing.put(session, name)
+
+
+def _shot_of_paint(session: Session) -> None:
+    session.selected = session.shot_add(source="paint")
+
+
+def _shot_to_paint(session: Session) -> None:
+    session.shot_to_paint(session.selected)
+
+
+def _has_shot(session: Session) -> bool:
+    shot = session.level.objects.get(session.selected)
+    return isinstance(shot, Shot) and shot.map in session.level.skies
 
 
 def _turn(degrees: float) -> Callable[[Session], None]:

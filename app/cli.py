@@ -24,6 +24,7 @@ VERBS: dict[str, str] = {
     "resize": "levels:resize",
     "crop": "levels:crop",
     "place": "props:place",
+    "shot": "shots:app",
     "info": "levels:info",
     "render": "pictures:render",
     "sheet": "sheets:sheet",

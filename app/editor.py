@@ -105,7 +105,7 @@ class Editor:
 
     def turn_sun(self, dx_px: float, dy_px: float) -> None:
         """Turn and lift the sun by a pointer's way; one step until `session.seal`."""
-        azimuth, elevation = light_angles(self.session.level.settings.light)
+        azimuth, elevation = light_angles(self.session.level.settings.light, self.session.clock.time_s)
         values = {
             "light.sun_from": "angles",
             "light.sun_azimuth_deg": (azimuth + SUN_DEG_PER_PX * dx_px) % 360,

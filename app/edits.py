@@ -12,10 +12,10 @@ from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
 from . import recovery_record
 from . import script as words
 from .imported import imported_height
-from .object_edits import Objects
+from .shot_edits import Shots, unpacked
 
 
-class Edits(Objects):
+class Edits(Shots):
     """Everything but strokes that changes a level, each an undoable step."""
 
     clock: Clock
@@ -208,6 +208,12 @@ class Edits(Objects):
                 self.remove(action.id)
             case words.Rename():
                 self.rename(action.id, action.to)
+            case words.ShotAdd():
+                source = unpacked(action.packed) if action.source == "packed" else action.source
+                fields = action.model_dump(include={"start_s", "end_s", "fade_s", "camera", "at_s"})
+                self.shot_add(action.id, source=source, **fields)
+            case words.ShotToPaint():
+                self.shot_to_paint(action.id)
             case words.Resize():
                 self.resize(action.samples, action.cell_m)
             case words.Crop():

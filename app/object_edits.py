@@ -25,15 +25,7 @@ class Objects(Props):
 
         `merge` joins the steps of a drag until `seal`; `use` makes a water table the one in use, in the same step.
         """
-        # a model may be a copy whose values nobody has checked
-        thing = thing.model_dump() if isinstance(thing, Placed) else thing
-        try:
-            thing = OBJECT.validate_python(thing)
-        except ValidationError as error:
-            kinds = ", ".join(OBJECT_KINDS)
-            kind = thing.get("kind") if isinstance(thing, dict) else None
-            told = sentence(error, "object") if kind in OBJECT_KINDS else f"an object's kind is one of {kinds}"
-            raise BadInput(told) from None
+        thing = checked_object(thing)
         if merge and self.level.objects.get(thing.id) == thing:
             return
         self._end_stroke()
@@ -80,3 +72,16 @@ class Objects(Props):
             known = ", ".join(sorted(self.level.objects)) or "none"
             raise BadInput(f"this level has no object {name!r}; it has: {known}")
         return self.level.objects[name]
+
+
+def checked_object(thing: Any) -> Placed:
+    """An object of a model or a dict; BadInput says what is wrong."""
+    # a model may be a copy whose values nobody has checked
+    thing = thing.model_dump() if isinstance(thing, Placed) else thing
+    try:
+        return OBJECT.validate_python(thing)
+    except ValidationError as error:
+        kinds = ", ".join(OBJECT_KINDS)
+        kind = thing.get("kind") if isinstance(thing, dict) else None
+        told = sentence(error, "object") if kind in OBJECT_KINDS else f"an object's kind is one of {kinds}"
+        raise BadInput(told) from None

@@ -30,7 +30,7 @@ class Marker:
 
 def markers(level: Level) -> list[Marker]:
     """A marker for everything that has a place."""
-    things = [thing for thing in level.objects.values() if thing.kind != "water_table"]
+    things = [thing for thing in level.objects.values() if not thing.placeless]
     if not things:
         return []
     x, y = (np.array([getattr(thing, axis) for thing in things]) for axis in "xy")

@@ -49,6 +49,8 @@ PLACEABLES: dict[str, Placeable] = {
         Placeable("weather_key", "weather_key", "weather", "Weather", "cloud_sun",
                   "Weather that comes at this moment, everywhere or over its circle (D36).", clicks=False),
         Placeable("camera", "camera", "camera", "Camera", "video", "This view, kept.", clicks=False),
+        Placeable("shot", "shot", "shot", "Shot", "clapperboard",
+                  "The sky as it is now, kept for 20 s of the clock (Z20).", clicks=False),
         Placeable("water_table", "water_table", "water", "Water table", "swatchbook",
                   "The water's colour as gradient stops, in use at once (H15).", clicks=False),
     )
@@ -97,6 +99,8 @@ def put(session: Session, name: str, at: tuple[float, float, float] | None = Non
     thing_id = free_name(session, row.start)
     if name == "water_table":
         session.place(optics_table(thing_id, session.level.settings.water), use=True)
+    elif name == "shot":
+        session.shot_add(thing_id)
     elif name == "camera":
         session.place(session.camera.model_copy(update={"id": thing_id}), merge)
     elif name == "prop":
@@ -138,7 +142,7 @@ def duplicate(session: Session) -> None:
     """The selected object once more, beside it."""
     thing = session.object(session.selected)
     name = free_name(session, thing.id.rstrip("0123456789").rstrip("-") or thing.id)
-    beside = {"id": name, "x": thing.x + 4.0, "y": thing.y - 4.0} if thing.kind != "water_table" else {"id": name}
+    beside = {"id": name, "x": thing.x + 4.0, "y": thing.y - 4.0} if not thing.placeless else {"id": name}
     session.place(thing.model_copy(update=beside))
     session.selected = name
 

@@ -20,6 +20,7 @@ from pathlib import Path
 from ..level import Level
 from ..level.journal import Step
 from ..level.meshes import names_in_use
+from ..level.shots import skies_in_use
 from . import recovery_record as record
 from .recovery_offer import SUFFIX, VERSION, changes_of, default_root, fingerprint, release, rows_of, try_lock
 
@@ -35,7 +36,7 @@ class RecoveryLog:
         self.root = root or default_root()
         self.path = path or self.root / f"{uuid.uuid4().hex}{SUFFIX}"
         self.failed = ""
-        self._meshes: set[str] = set()  # names of those that the folder or the log holds
+        self._held: set[str] = set()  # names of meshes and skies that the folder or the log holds
         self._ready = threading.Condition()
         self._waiting: deque = deque()
         self._writing = False
@@ -54,7 +55,7 @@ class RecoveryLog:
         if folder is None:
             rows.append(record.encode(record.everything(level, "New level")))
         self._rest()
-        self._meshes = names_in_use(level) & level.meshes.keys()
+        self._held = (names_in_use(level) & level.meshes.keys()) | (skies_in_use(level) & level.skies.keys())
         try:
             self._take_lock()
             self._rewrite(rows)
@@ -88,12 +89,12 @@ class RecoveryLog:
         """A step was finished, undone or redone: write down what it left behind."""
         if self._file is None or self.failed:
             return
-        change = record.change_of(level, step, self._meshes)
-        self._meshes |= change.meshes.keys()
+        change = record.change_of(level, step, self._held)
+        self._held |= change.meshes.keys() | change.skies.keys()
         with self._ready:
             last = self._waiting[-1] if self._waiting else None
             if isinstance(last, record.Change) and last.outdone_by(change):
-                change.meshes = last.meshes | change.meshes
+                change.meshes, change.skies = last.meshes | change.meshes, last.skies | change.skies
                 self._waiting[-1] = change  # a slider or an object being dragged
             else:
                 self._ready.wait_for(lambda: len(self._waiting) < MOST_WAITING or self.failed)

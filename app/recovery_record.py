@@ -21,7 +21,8 @@ from ..level.atoms import Thing, Value, Whole, whole_state
 from ..level.grid import NOWHERE
 from ..level.journal import Step
 from ..level.meshes import Mesh, names_in_use
-from ..level.objects import OBJECT, Prop
+from ..level.objects import OBJECT, Prop, Shot
+from ..level.shots import SHAPE, skies_in_use, sky_of
 from ..level.tiles import Tiles, pack, unpack
 
 MAGIC = b"SWR1"
@@ -48,6 +49,7 @@ class Change:
     objects: dict[str, object | None] = field(default_factory=dict)
     ground: Ground | None = None
     meshes: dict[str, Mesh] = field(default_factory=dict)  # that its props show, where the log hasn't got them yet
+    skies: dict[str, np.ndarray] = field(default_factory=dict)  # likewise of its shots
     labels: list[str] = field(default_factory=list)  # of the steps that were folded into this one
 
     def outdone_by(self, later: Change) -> bool:
@@ -58,7 +60,7 @@ class Change:
 
 
 def change_of(level: Level, step: Step, known: Iterable[str] = ()) -> Change:
-    """The after-state of what a step swapped, copied so that a worker may pack it; `known` meshes are left out."""
+    """The after-state of what a step swapped, copied for a worker to pack; without `known` meshes and skies."""
     change = Change(step.label)
     for atom in step.atoms:
         if isinstance(atom, Tiles):
@@ -73,6 +75,8 @@ def change_of(level: Level, step: Step, known: Iterable[str] = ()) -> Change:
             change.tiles = all_tiles(level)
     shown = {thing.mesh for thing in change.objects.values() if isinstance(thing, Prop)} - set(known)
     change.meshes = {name: level.meshes[name] for name in shown & level.meshes.keys()}
+    shown = {thing.map for thing in change.objects.values() if isinstance(thing, Shot)} - set(known)
+    change.skies = {name: level.skies[name] for name in shown & level.skies.keys()}
     return change
 
 
@@ -80,7 +84,8 @@ def everything(level: Level, label: str) -> Change:
     """A whole level, for one that no folder holds yet."""
     ground = Ground(level.grid, level.layers["height"].base, dict(level.georeference))
     meshes = {name: level.meshes[name] for name in names_in_use(level) & level.meshes.keys()}
-    return Change(label, all_tiles(level), level.settings, dict(level.objects), ground, meshes)
+    skies = {name: level.skies[name] for name in skies_in_use(level) & level.skies.keys()}
+    return Change(label, all_tiles(level), level.settings, dict(level.objects), ground, meshes, skies)
 
 
 def all_tiles(level: Level) -> dict[str, dict[Tile, np.ndarray | None]]:
@@ -103,6 +108,7 @@ def fold(changes: Iterable[Change]) -> Change:
         whole.settings = change.settings or whole.settings
         whole.objects.update(change.objects)
         whole.meshes.update(change.meshes)
+        whole.skies.update(change.skies)
     count = len(whole.labels)
     whole.label = f"Recover {count} step{'s' if count != 1 else ''}"
     return whole
@@ -123,6 +129,8 @@ def apply(level: Level, journal: Journal, change: Change) -> None:
             _swap(step, Tiles(layer, held, rect), level, keep=change.ground is None)
         for name, mesh in change.meshes.items():
             level.put_mesh(name, mesh)
+        for name, sky in change.skies.items():
+            level.put_sky(name, sky)
         for name, thing in change.objects.items():
             _swap(step, Thing(name, thing), level)
         if change.settings:
@@ -169,6 +177,8 @@ def encode(change: Change) -> bytes:
     }
     if change.meshes:
         header["meshes"] = {name: _add(blobs, packed(mesh)) for name, mesh in change.meshes.items()}
+    if change.skies:
+        header["skies"] = {name: blob(sky) for name, sky in change.skies.items()}
     return framed(header, b"".join(blobs))
 
 
@@ -222,4 +232,6 @@ def decode(header: dict, payload: bytes) -> Change:
     for name, size in header.get("meshes", {}).items():
         change.meshes[name] = unpacked(payload[at : at + size])
         at += size
+    for name, size in header.get("skies", {}).items():
+        change.skies[name] = sky_of(take(size, SHAPE))
     return change

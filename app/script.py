@@ -111,6 +111,27 @@ class Import(Do):
     flags: dict[str, Any] = {}
 
 
+class ShotAdd(Do):
+    """A shot with a sky of its own: now, paint, an image, or one packed into the word."""
+
+    do: Literal["shot_add"] = "shot_add"
+    id: str = ""
+    start_s: float | None = None
+    end_s: float | None = None
+    fade_s: float = 2.0
+    camera: str = ""
+    source: str = "now"
+    at_s: float | None = None
+    packed: str = ""
+
+
+class ShotToPaint(Do):
+    """The sky of a shot over the painted one."""
+
+    do: Literal["shot_to_paint"] = "shot_to_paint"
+    id: str
+
+
 class Mesh(Do):
     """A mesh from a file, for props to name; its name follows from what is in it."""
 
@@ -150,6 +171,8 @@ Action = Annotated[
     | Import
     | Mesh
     | WeatherImport,
+    | ShotAdd
+    | ShotToPaint,
     Field(discriminator="do"),
 ]
 ACTION = TypeAdapter(Action)

@@ -6,6 +6,7 @@ import time
 
 from imgui_bundle import imgui
 
+from ..level.sun import day_moment, day_runs
 from . import sky_brush, theme
 from .editor import Editor
 from .panels.history_panel import bytes_text
@@ -17,7 +18,7 @@ _memory = {"at": -1e9, "bytes": 0}
 
 def draw(editor: Editor, picture: Picture | None) -> None:
     imgui.text_unformatted(_pointed(editor))
-    right = f"{_speed(editor, picture)}      memory {bytes_text(resident_bytes())}"
+    right = f"{day_text(editor)}{_speed(editor, picture)}      memory {bytes_text(resident_bytes())}"
     width = imgui.calc_text_size(right).x
     imgui.same_line(max(imgui.get_window_width() - width - 14, 0))
     imgui.text_colored(theme.colour(theme.INK_FAINT), right)
@@ -31,6 +32,15 @@ def _pointed(editor: Editor) -> str:
         return sky_brush.sentence(sky_brush.sky_at(session, *point[:2])) if point else sky_brush.ELSEWHERE
     probe = editor.probe()
     return sentence(probe) if probe else "Point at the ground to read it"
+
+
+def day_text(editor: Editor) -> str:
+    """Date and hour at the place while its day runs (Z25)."""
+    light = editor.session.level.settings.light
+    if not day_runs(light):
+        return ""
+    moment = day_moment(light, editor.session.clock.time_s)
+    return f"{moment.day} {moment:%B, %H:%M}      "
 
 
 def _speed(editor: Editor, picture: Picture | None) -> str:

@@ -6,9 +6,10 @@ import math
 
 from imgui_bundle import imgui
 
+from ..level.objects import Placed
 from ..level.params import row
 from ..level.settings import Settings
-from . import theme
+from . import theme, timeline_marks
 from .editor import Editor
 from .param_widgets import slider, tooltip
 
@@ -37,6 +38,7 @@ class Timeline:
     def __init__(self, editor: Editor) -> None:
         self.editor = editor
         self._ran = False  # time ran before the scrubbing began
+        self._under: list[Placed] = []  # what marks under the pointer stand for
 
     def draw(self) -> None:
         clock = self.editor.session.clock
@@ -83,13 +85,16 @@ class Timeline:
         if imgui.is_item_activated():
             self._ran = not clock.paused
             clock.paused = True
+            if self._under:
+                session.selected = self._under[-1].id
         if imgui.is_item_active():
             part = min(max((imgui.get_mouse_pos().x - corner.x) / width, 0), 1)
             session.scrub(first + part * (last - first))
         if imgui.is_item_deactivated():
             clock.paused = not self._ran
         self._paint(corner, width, first, last, imgui.is_item_hovered())
-        tooltip("Drag to scrub. A tick for every wave that sets out.")
+        told = "\n".join(timeline_marks.sentence(thing) for thing in self._under)
+        tooltip(told or "Drag to scrub. A tick for every wave that sets out, a bar for every shot.")
 
     def _paint(self, corner, width: float, first: float, last: float, hovered: bool) -> None:
         clock = self.editor.session.clock
@@ -109,6 +114,9 @@ class Timeline:
             draw_list.add_line(
                 imgui.ImVec2(x, high.y - 8), imgui.ImVec2(x, high.y - 1), theme.packed(theme.INK, 0.35), 1.5
             )
+        self._under = timeline_marks.draw(
+            self.editor.session.level, self.editor.session.selected, low, high, first, last
+        )
         draw_list.add_line(imgui.ImVec2(now, low.y - 2), imgui.ImVec2(now, high.y + 2), theme.packed(theme.INK), 2)
         for time_s, right in ((first, False), (last, True)):
             text = f"{time_s:g}"

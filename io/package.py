@@ -1,4 +1,5 @@
-"""A level as a folder: `name.shore/level.json`, `layers/NAME.rR.cC.exr` by sector, `layers/hashes.json`, and `meshes/`.
+"""A level as a folder: `name.shore/level.json`, `layers/NAME.rR.cC.exr` by sector with `layers/hashes.json`, and
+`meshes/` and `skies/` where there are any.
 
 Only sectors that hold written tiles exist, except `height_base`, the imported ground, which is always whole; `height`
 holds what was sculpted on it. R and C count 1024-cell sectors from the south-west. Saving rewrites dirty sectors only,
@@ -12,6 +13,8 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from weakref import WeakKeyDictionary
 
+import numpy as np
+
 from ..level import BadInput, Level
 from ..level.meshes import NAME
 from . import level_json
@@ -19,6 +22,8 @@ from .level_sectors import refuse_nan, sector_names, write_checked
 from .lock import check_folder, let_go, make_folder, remove_empty, take
 from .mesh_files import FOLDER, file_of, packed, wanted
 from .package_read import HASHES, THREADS, Saved, inside, read_committed, signature
+from .sky_files import FOLDER as SKIES
+from .sky_files import sky_file_of, wanted_skies, write_checked_sky
 from .transaction import FOLDERS, RECORD, STAGE, Hook, Transaction, disk_reason, finish
 
 _saved: WeakKeyDictionary[Level, Saved] = WeakKeyDictionary()
@@ -116,7 +121,8 @@ class LevelFolder:
             refuse_nan(level, dirty)
             hashes = {name: known.hashes[name] for name in names if name not in dirty} if known else {}
             revision, base = level.revision, level.layers["height"].base
-            written = self._commit(level, save, names, dirty, hashes, self._mesh_files(level, known))
+            own = self._mesh_files(level, known), self._sky_files(level, known)
+            written = self._commit(level, save, names, dirty, hashes, *own)
         except OSError as error:
             raise self._failed(save, error) from None
         except Exception:
@@ -124,7 +130,8 @@ class LevelFolder:
             raise
         signatures = {name: signature(self.path / f"layers/{name}.exr") for name in names}
         meshes = {name: signature(self.path / file_of(name)) for name in wanted(level) if name in level.meshes}
-        _saved[level] = Saved(self.path.resolve(), revision, base, hashes, signatures, meshes)
+        skies = {name: signature(self.path / sky_file_of(name)) for name in wanted_skies(level) if name in level.skies}
+        _saved[level] = Saved(self.path.resolve(), revision, base, hashes, signatures, meshes, skies)
         return written
 
     def _mesh_files(self, level: Level, known: Saved | None) -> dict[str, bytes | None]:
@@ -139,15 +146,25 @@ class LevelFolder:
         stale = (path for path in sorted((self.path / FOLDER).glob("*.ply")) if path.stem not in kept)
         return files | {f"{FOLDER}/{path.name}": None for path in stale if NAME.fullmatch(path.stem)}
 
+    def _sky_files(self, level: Level, known: Saved | None) -> dict[str, np.ndarray | None]:
+        """Files of skies to write, and (None) those to remove, which no shot names any more."""
+        kept, files = wanted_skies(level), {}
+        for name in kept:
+            there = signature(self.path / sky_file_of(name))
+            if name in level.skies and (there is None or known is None or known.skies.get(name) != there):
+                files[sky_file_of(name)] = level.skies[name]
+        stale = (path for path in sorted((self.path / SKIES).glob("*.exr")) if path.stem not in kept)
+        return files | {f"{SKIES}/{path.name}": None for path in stale if NAME.fullmatch(path.stem)}
+
     def _commit(
         self, level: Level, save: Transaction, names: list[str], dirty: list[str], hashes: dict,
-        meshes: dict[str, bytes | None],
+        meshes: dict[str, bytes | None], skies: dict[str, np.ndarray | None],
     ) -> list[str]:  # fmt: skip
         def stage(name: str) -> tuple[str, str]:
             save.hook(f"write layers/{name}.exr")
             return name, write_checked(level, name, save.path(f"layers/{name}.exr"))
 
-        save.begin(FOLDERS if meshes else FOLDERS[:1])
+        save.begin(tuple(name for name, used in zip(FOLDERS, (True, meshes, skies)) if used))
         with ThreadPoolExecutor(THREADS) as pool:
             for name, digest in pool.map(stage, dirty):
                 save.add(f"layers/{name}.exr")
@@ -158,6 +175,13 @@ class LevelFolder:
                 save.write(name, data)
         for name, data in meshes.items():
             save.remove(name) if data is None else save.write(name, data)
+        for name, sky in skies.items():
+            if sky is None:
+                save.remove(name)
+                continue
+            save.hook(f"write {name}")
+            write_checked_sky(sky, save.path(name))
+            save.add(name)
         for path in sorted((self.path / "layers").glob("*.exr")):
             if path.stem not in hashes and level_json.is_sector(path.stem):
                 save.remove(f"layers/{path.name}")

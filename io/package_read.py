@@ -16,6 +16,7 @@ from . import level_json
 from .level_json import BASE, Manifest
 from .level_sectors import check_sector, decode, file_hash, is_old, put_tiles, revision_of
 from .mesh_files import file_of, read_meshes, wanted
+from .sky_files import read_skies, sky_file_of, wanted_skies
 from .transaction import RECORD, STAGE, pending, where
 
 HASHES = "layers/hashes.json"
@@ -33,6 +34,7 @@ class Saved:
     hashes: dict[str, str] = field(default_factory=dict)
     signatures: dict[str, tuple | None] = field(default_factory=dict)
     meshes: dict[str, tuple | None] = field(default_factory=dict)  # signatures of their files
+    skies: dict[str, tuple | None] = field(default_factory=dict)
 
     def is_stale(self, level: Level, name: str, path: Path) -> bool:
         """True when a sector changed in memory or its file on disk since."""
@@ -81,7 +83,11 @@ def _read(folder: Path, notes: list[str]) -> tuple[Level, Saved]:
     files = {name: inside(folder, file_of(name), record) for name in wanted(level)}
     read_meshes(level, files, notes)
     meshes = {name: signature(files[name]) for name in files if name in level.meshes}
-    return level, Saved(folder.resolve(), level.revision, level.layers["height"].base, hashes, signatures, meshes)
+    files = {name: inside(folder, sky_file_of(name), record) for name in wanted_skies(level)}
+    read_skies(level, files, notes)
+    skies = {name: signature(files[name]) for name in files if name in level.skies}
+    base = level.layers["height"].base
+    return level, Saved(folder.resolve(), level.revision, base, hashes, signatures, meshes, skies)
 
 
 def _compare(folder: Path, paths: dict[str, Path], known: dict[str, str], found: dict[str, str], notes: list) -> None:

@@ -21,8 +21,8 @@ from ..level import BadInput
 
 STAGE = ".save"
 RECORD = "commit.json"
-FOLDERS = ("layers", "meshes")  # in a level's folder
-NAME = re.compile(r"((layers|meshes)/)?[A-Za-z0-9_]+(\.[A-Za-z0-9_]+)*")  # all that a record may name
+FOLDERS = ("layers", "meshes", "skies")  # in a level's folder
+NAME = re.compile(r"((layers|meshes|skies)/)?[A-Za-z0-9_]+(\.[A-Za-z0-9_]+)*")  # all that a record may name
 MAX_RECORD = 16 << 20
 SPARE_BYTES = 1 << 20  # a disk with less left is full
 
@@ -125,8 +125,9 @@ def finish(folder: Path, hook: Hook | None = None) -> None:
     for name in record["remove"]:
         hook(f"remove {name}")
         (folder / name).unlink(missing_ok=True)
-    with contextlib.suppress(OSError):
-        (folder / "meshes").rmdir()  # when nothing is left in it
+    for name in FOLDERS[1:]:
+        with contextlib.suppress(OSError):
+            (folder / name).rmdir()  # when nothing is left in it
     for name in FOLDERS:
         if (folder / name).is_dir():
             flush(folder / name)

@@ -38,6 +38,7 @@ class Level:
         self.meshes: dict[
             str, Mesh
         ] = {}  # by name (meshes.py); kept while the level is open, saved where a prop names it
+        self.skies: dict[str, np.ndarray] = {}  # of shots, likewise (shots.py)
         self.georeference = georeference or {}
         self.revision = 0
         self.settings_revision = 0
@@ -131,6 +132,12 @@ class Level:
     def put_mesh(self, name: str, mesh: Mesh) -> None:
         """Hold a mesh, for props to name. What it is follows from its name, so undo needs no step."""
         self.meshes[name] = mesh
+        self.revision += 1
+        self.objects_revision = self.revision
+
+    def put_sky(self, name: str, sky: np.ndarray) -> None:
+        """Hold a sky, for shots to name, as `put_mesh` does a mesh."""
+        self.skies[name] = sky
         self.revision += 1
         self.objects_revision = self.revision
 

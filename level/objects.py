@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Annotated, Literal, Self, Union
+from typing import Annotated, ClassVar, Literal, Self, Union
 
 from pydantic import Field, TypeAdapter, field_validator
 
@@ -14,12 +14,13 @@ class Placed(Section):
     """What every object has: an id of its own, and a place in world metres."""
 
     id: str = Field(pattern=r"^[A-Za-z0-9_.-]{1,64}$", description="Name, unique in the level.")
+    placeless: ClassVar[bool] = False  # it stands nowhere: x and y mean nothing
     x: float = param(0.0, -1e6, 1e6, "m", "East.")
     y: float = param(0.0, -1e6, 1e6, "m", "North.")
 
     def moved(self, east_m: float, north_m: float) -> Self:
         """The same thing elsewhere, as a crop needs when the origin of its level moves."""
-        return self.model_copy(update={"x": self.x + east_m, "y": self.y + north_m})
+        return self if self.placeless else self.model_copy(update={"x": self.x + east_m, "y": self.y + north_m})
 
 
 class Camera(Placed):
@@ -76,6 +77,7 @@ class SeaPatch(Placed):
 class WaterTable(Placed):
     """What metres of water do to light, as gradient stops (H15); `water.table` names the one in use."""
 
+    placeless: ClassVar[bool] = True
     kind: Literal["water_table"] = "water_table"
     stops: tuple[tuple[float, float, float, float, float, float, float], ...] = Field(
         ((0.0, 1.0, 1.0, 1.0, 0.0, 0.0, 0.0), (200.0, 0.0, 0.0, 0.0, 0.0, 0.03, 0.06)),
@@ -131,6 +133,23 @@ class Prop(Placed):
     ripples: bool = param(True, doc="It draws rings on the water.")
 
 
+class Shot(Placed):
+    """A sky painted for one shot: from start to end it takes the simulation's place (Z20)."""
+
+    placeless: ClassVar[bool] = True
+    kind: Literal["shot"] = "shot"
+    map: str = Field("", pattern=r"^[A-Za-z0-9_]{0,80}$", description="Name of its sky among those of the level.")
+    camera: str = Field(
+        "", pattern=r"^[A-Za-z0-9_.-]{0,64}$", description="The camera whose picture has it; empty for all of them."
+    )
+    start_s: float = param(0.0, 0, 1e7, "s", "When it begins to come up.", soft=(0, 600))
+    end_s: float = param(20.0, 0, 1e7, "s", "When it is gone.", soft=(0, 600))
+    fade_s: float = param(2.0, 0, 1e5, "s", "How long it takes to come and to go.", soft=(0, 60))
+    drifts: bool = param(True, doc="Its sky goes with the wind from its start on; off, it stands.")
+    painted: bool = param(True, doc="The painted sky lies over it; off, its sky is all of it.")
+    whole: bool = param(False, doc="It reaches to the horizon; off, the horizon's own sky stands round it.")
+
+
 class Hit(Placed):
     """Something small that struck the water at one moment and drew a ring (H19)."""
 
@@ -166,7 +185,7 @@ class WeatherKey(Placed):
 
 _KINDS = (
     Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaterTable, PointLight, Prop, Hit, Mover,
-    WeatherKey,
+    WeatherKey, Shot,
 )  # fmt: skip
 OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]

@@ -145,6 +145,13 @@ class Light(Section):
     utc_offset_h: float = param(0.0, -14, 14, "h", "How far that clock is ahead of UTC.")
     latitude_deg: float = param(50.4, -90, 90, "°", "Latitude of the place, north positive.")
     longitude_deg: float = param(-5.0, -180, 180, "°", "Longitude of the place, east positive.")
+    day_rate: float = param(
+        0.0, 0, 1e5, "×", "How fast the day goes by, when placed by date: 600 makes it 144 s long, 0 stands still.",
+        soft=(0, 3600),
+    )  # fmt: skip
+    day_h: float = param(24.0, 0.1, 10_000, "h", "Length of a whole day at a rate of 1.", soft=(1, 48))
+    adapt: float = param(0.82, 0, 1, "", "How far the exposure follows the light while the day runs.")
+    moonlit: bool = param(True, doc="The full moon shines at night, opposite the sun, while the day runs.")
     body: Literal["sun", "moon", "even"] = param(
         "sun", doc="What shines: the sun, the full moon in its place, or even white light from all sides."
     )

@@ -6,12 +6,16 @@ ones from 1950 to 2050. Refraction by the air is left out, as it is for the two 
 
 from __future__ import annotations
 
+import datetime
 import math
 
 from .params import replace
 from .settings import Light, Settings
 
 YEAR = 2025  # dates carry no year: from one to the next the sun moves by less than half its width
+CYCLE_H = 1461 * 24.0  # four years, after which the sun stands where it stood
+DAY_STEP_H = 1 / 1500  # the sun moves by 0.01°, a fiftieth of its width
+MOON_BELOW_DEG = -2.0  # of the sun: its disc has set, and the moon still counts for nothing against the dusk
 DAYS = (31, 29, 31, 30, 31, 30, 31, 31, 30, 31, 30, 31)
 
 
@@ -74,10 +78,47 @@ def stand_at(settings: Settings, georeference: dict) -> Settings:
     return settings
 
 
-def light_angles(light: Light) -> tuple[float, float]:
-    """Azimuth and elevation, degrees, of what shines in a level, by whichever way its settings choose."""
+def day_runs(light: Light) -> bool:
+    """Whether the sun's place turns with the clock (Z25)."""
+    return light.sun_from == "date" and light.day_rate > 0
+
+
+def day_hours(light: Light, time_s: float) -> float:
+    """Hours since midnight of the level's date at a time, past 24 on the days after; 0 … 35 064.
+
+    While the day runs they go on in steps of DAY_STEP_H, so that a slow day's shadows are not remade for nothing.
+    """
+    if not day_runs(light):
+        return light.hour
+    hours = light.hour + time_s * light.day_rate / 3600 * (24 / light.day_h)
+    return round(hours / DAY_STEP_H) * DAY_STEP_H % CYCLE_H
+
+
+def day_moment(light: Light, time_s: float) -> datetime.datetime:
+    """Date and time on the place's clock; the year means nothing."""
+    first = datetime.datetime(YEAR, light.month, 1)
+    return first + datetime.timedelta(
+        days=min(light.day, DAYS[light.month - 1]) - 1, hours=day_hours(light, time_s)
+    )  # fmt: skip
+
+
+def sun_place(light: Light, time_s: float = 0.0) -> tuple[float, float]:
+    """Azimuth and elevation, degrees, of a level's sun, by whichever way its settings choose."""
     if light.sun_from == "angles":
         return light.sun_azimuth_deg, light.sun_elevation_deg
     return sun_angles(
-        light.month, light.day, light.hour, light.utc_offset_h, light.latitude_deg, light.longitude_deg
+        light.month, light.day, day_hours(light, time_s), light.utc_offset_h, light.latitude_deg, light.longitude_deg
     )  # fmt: skip
+
+
+def moon_shines(light: Light, sun_elevation_deg: float) -> bool:
+    """Whether the moon has taken over from the sun, opposite to it, as a full moon nearly is."""
+    return day_runs(light) and light.moonlit and light.body == "sun" and sun_elevation_deg < MOON_BELOW_DEG
+
+
+def light_angles(light: Light, time_s: float = 0.0) -> tuple[float, float]:
+    """Azimuth and elevation, degrees, of what shines in a level at a time: the sun, or at night the moon."""
+    azimuth, elevation = sun_place(light, time_s)
+    if moon_shines(light, elevation):
+        return (azimuth + 180.0) % 360.0, -elevation
+    return azimuth, elevation

@@ -1,8 +1,8 @@
 """The weather map: coverage, precipitation and type of the sky round a camera at a time; twin of shaders/weather.glsl.
 
-Order at every sample: simulation with bias (Z05) → paint by its weights → the horizon's own sky (Z06) → what rains
-becomes cumulonimbus (Z04). Everything is a function of time, so that the clock may be scrubbed both ways. The map is a
-torus of 70 km, asked at the place nearest to the camera; paint and simulation lie in the moving air.
+Order at every sample: simulation with bias (Z05) → skies of shots (Z20) → paint by its weights → the horizon's own sky
+(Z06) → what rains becomes cumulonimbus (Z04). Everything is a function of time, so that the clock may be scrubbed both
+ways. The map is a torus of 70 km, asked at the place nearest to the camera; paint and simulation lie in the moving air.
 """
 
 from __future__ import annotations
@@ -16,6 +16,7 @@ from scipy.ndimage import map_coordinates
 from .layers import WEATHER_GRID
 from .level import Level
 from .settings import Settings
+from .shots import Seen, shots_at
 from .storm import CLOUDS, HIDDEN_M, KIND, step, storm_share, storm_uniforms
 from .textures import spectral_noise
 from .weather_keys import MOST_AREAS, level_at, sky_areas
@@ -25,6 +26,8 @@ SIDE = WEATHER_GRID.rows
 TILE_M = WEATHER_GRID.extent_m[0]
 NOISE_SIDE = 256
 STAGES = ("simulated", "painted", "horizon", "final")
+SHOT_PLACES = ("u_weather_shot_a_at", "u_weather_shot_b_at")
+NO_SHOT = (0.0, 0.0, 0.0)
 RAINY = 0.7  # coverage that precipitation pulls to (Z04)
 SOFT = 0.15  # of the rain noise's range: from no rain to full rain
 FINE = 0.5  # amplitude of the small pattern against the broad one
@@ -67,8 +70,28 @@ def paint_place(level: Level, time_s: float, x, y):
     return tuple((np.asarray(at, np.float64) - off + half) % TILE_M - half for at, off in zip((x, y), moved))
 
 
-def weather_uniforms(level: Level, time_s: float) -> dict:
-    """What weather.glsl asks for besides its settings and textures."""
+def shot_place(level: Level, seen: Seen, time_s: float) -> tuple[float, float, float]:
+    """Metres east and north that a shot's sky has moved, and its share."""
+    moved = middle_m(level.settings)
+    if seen.shot.drifts:
+        moved = moved + drift_m(level, time_s) - drift_m(level, seen.shot.start_s)
+    return (*(float(v) for v in moved), seen.share)
+
+
+def shot_uniforms(level: Level, time_s: float, seen_by: str) -> dict:
+    """What weather.glsl asks for of the shots that a camera sees, besides their skies."""
+    shots = shots_at(level, time_s, seen_by)
+    places = [shot_place(level, seen, time_s) for seen in shots]
+    paint = math.prod(1.0 if seen.shot.painted else 1.0 - seen.share for seen in shots)
+    horizon = math.prod(1.0 - seen.share if seen.shot.whole else 1.0 for seen in shots)
+    return {
+        **dict(zip(SHOT_PLACES, (*places, NO_SHOT, NO_SHOT))),
+        "u_weather_over_shots": (float(paint), float(horizon)),
+    }
+
+
+def weather_uniforms(level: Level, time_s: float, seen_by: str = "") -> dict:
+    """What weather.glsl asks for besides its settings and textures; `seen_by` is the name of the picture's camera."""
     settings = level.settings
     weather = settings.weather
     bias, areas = sky_areas(level, time_s)
@@ -76,6 +99,7 @@ def weather_uniforms(level: Level, time_s: float) -> dict:
     broad, fine = 2 * math.pi * (at % 1.0), 2 * math.pi * ((FINE_RATE * at) % 1.0)
     drift, middle = drift_m(level, time_s), middle_m(settings)
     return {
+        **shot_uniforms(level, time_s, seen_by),
         "u_weather_turn": (math.cos(broad), math.sin(broad), math.cos(fine), math.sin(fine)),
         "u_weather_moved": tuple(drift + middle),
         "u_weather_paint_moved": tuple(middle + drift * float(weather.paint_drifts)),
@@ -108,31 +132,35 @@ def nearest_m(at: np.ndarray, centre: float) -> np.ndarray:
     return at - TILE_M * np.round((at - centre) / TILE_M)
 
 
-def weather_map(level: Level, time_s: float, camera: tuple[float, float], stage: str = "final") -> np.ndarray:
+def weather_map(
+    level: Level, time_s: float, camera: tuple[float, float], stage: str = "final", seen_by: str = ""
+) -> np.ndarray:
     """float32 `(512, 512, 4)`: coverage, precipitation, type (final: 0 stratus, 0.5 cumulus, 1 cumulonimbus), weight.
 
     `camera` is east and north in world metres; texel (i, j) stands for the place nearest to it of texel_metres' torus.
     """
     x, y = texel_metres()
     x, y = nearest_m(x, camera[0]), nearest_m(y, camera[1])
-    return weather_at(level, time_s, x, y, camera, stage)
+    return weather_at(level, time_s, x, y, camera, stage, seen_by)
 
 
-def weather_at(level: Level, time_s: float, x, y, camera=None, stage: str = "final") -> np.ndarray:
+def weather_at(level: Level, time_s: float, x, y, camera=None, stage: str = "final", seen_by: str = "") -> np.ndarray:
     """float32 `(…, 4)` of the same at world points; without a camera there is no horizon."""
     level = level_at(level, time_s)
-    uniforms = weather_uniforms(level, time_s)
+    uniforms = weather_uniforms(level, time_s, seen_by)
     sky, storm = _simulated(level, uniforms, x, y)
+    sky = _with_shots(level, sky, uniforms, shots_at(level, time_s, seen_by), x, y)
+    painted_over, horizon_over = uniforms["u_weather_over_shots"]
     weight = np.zeros_like(sky)
     if stage != "simulated" and uniforms["u_weather_painted"]:
         painted = sample_wrapped(level.layers["weather"].array, *paint_place(level, time_s, x, y))
-        weight = painted[..., 3:]
+        weight = painted[..., 3:] * painted_over
         sky = sky + (painted[..., :3] - sky) * weight
     if stage in ("horizon", "final") and camera is not None:
         start, end, coverage, kind = uniforms["u_weather_horizon"]
         away = np.hypot(x - camera[0], y - camera[1])
         seen = storm * (1 - step(*HIDDEN_M, away))  # a storm shows from afar
-        share = (step(start, end, away) * (1 - seen))[..., None] * (1 - weight)
+        share = (step(start, end, away) * (1 - seen))[..., None] * (1 - weight) * horizon_over
         sky = sky + (np.array([coverage, 0.0, kind]) - sky) * share
     if stage == "final":
         sky = pulled(sky)
@@ -144,6 +172,15 @@ def pulled(sky: np.ndarray) -> np.ndarray:
     coverage, rain, kind = np.moveaxis(sky, -1, 0)
     coverage = coverage + (np.maximum(coverage, RAINY) - coverage) * rain
     return np.stack([coverage, rain, 0.5 * kind + (1 - 0.5 * kind) * rain], -1)
+
+
+def _with_shots(level: Level, sky: np.ndarray, uniforms: dict, shots: tuple[Seen, ...], x, y) -> np.ndarray:
+    """The simulated sky under those of shots (Z20)."""
+    for name, seen in zip(SHOT_PLACES, shots):
+        east, north, share = uniforms[name]
+        own = sample_wrapped(level.skies[seen.shot.map].astype(np.float32), x - east, y - north)
+        sky = sky + (own - sky) * share
+    return sky
 
 
 def _simulated(level: Level, uniforms: dict, x, y) -> tuple[np.ndarray, np.ndarray]:

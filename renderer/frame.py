@@ -206,7 +206,7 @@ class Renderer:
         self.uploader.sync(level)
         self.uploader.table(shown)
         self.generated.update(row)
-        self.sky.update(shown)
+        self.sky.update(shown, time_s)
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
         matrices = camera_matrices(camera, size, self._near(level, camera), tuple(offset))

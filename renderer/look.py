@@ -11,6 +11,7 @@ from ..level.gerstner import groups
 from ..level.settings import Sea
 from ..level.sun import light_angles
 from ..level.water_optics import absorption, backscatter
+from .day_light import exposure_ev, white_k
 from .sky_light import sky_light
 
 DISPLAYS = ("agx", "aces", "neutral", "raw")
@@ -149,15 +150,15 @@ def _whitecaps(settings: Settings, time_s: float) -> dict:
 def look_uniforms(settings: Settings, time_s: float) -> dict[str, float | np.ndarray]:
     """Every `u_…` of `shaders/lib/*.glsl` but samplers, at `time_s` seconds."""
     light, fog, water, ground = (getattr(settings, name) for name in ("light", "fog", "water", "ground"))
-    sky = sky_light(settings)
+    sky = sky_light(settings, time_s)
     return {
-        "u_sun_direction": sun_direction(*light_angles(light)).astype(np.float32),
+        "u_sun_direction": sun_direction(*light_angles(light, time_s)).astype(np.float32),
         **{f"u_{name}": value.astype(np.float32) for name, value in _sky(sky).items()},
         "u_fog_share": sky.fog_share,
         "u_cirrus": float(not sky.even),
         "u_star_light": STAR_LIGHT * sky.unit if sky.unit > 1 else 0.0,
-        "u_exposure": exposure_scale(light.exposure_ev) / sky.unit,
-        "u_white": white_balance(light.white_k).astype(np.float32),
+        "u_exposure": exposure_scale(exposure_ev(settings, time_s)) / sky.unit,
+        "u_white": white_balance(white_k(settings, time_s)).astype(np.float32),
         "u_display": DISPLAYS.index(light.display),
         "u_fog_density": fog.density if fog.on and not sky.even else 0.0,
         "u_fog_height_m": fog.height_m,

@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 
 from ..level import Settings
-from ..level.sun import light_angles
+from ..level.sun import day_runs, sun_place
 from .air import GROUND_ALBEDO, air_extinction
 from .sky_table import AERIAL, AERIAL_FIRST_KM, AERIAL_RATIO, COLUMNS, ROWS, aerial_table, sky_table, sun_illuminance
 
@@ -55,18 +55,24 @@ class SkyLight:
         return c[0] * 0.282095 + c[2] * 0.488603 + c[6] * 0.630784 + self.sun * sine
 
 
-def sky_light(settings: Settings) -> SkyLight:
-    """The light of a level; kept for the settings it was last asked for."""
+def sky_light(settings: Settings, time_s: float = 0.0) -> SkyLight:
+    """The light of a level at a time; kept for what it was last asked for."""
     light, fog = settings.light, settings.fog
     if light.body == "even":
         return _even()
     depth = fog.density * fog.height_m if fog.on else 0.0
-    elevation = round(light_angles(light)[1], 4)
-    return _made(elevation, light.turbidity, light.body, light.cloud_cover, light.cloud_depth, min(depth, 50.0))
+    elevation = round(sun_place(light, time_s)[1], 4)
+    sky = light.turbidity, light.body, light.cloud_cover, light.cloud_depth, min(depth, 50.0)
+    if day_runs(light):
+        from .day_light import day_light
+
+        return day_light(elevation, sky, light.moonlit)
+    return made(elevation, *sky)
 
 
 @lru_cache(maxsize=8)
-def _made(elevation: float, turbidity: float, body: str, cover: float, depth: float, fog_depth: float) -> SkyLight:
+def made(elevation: float, turbidity: float, body: str, cover: float, depth: float, fog_depth: float) -> SkyLight:
+    """The light under a sun, or moon, at an elevation in degrees."""
     scale = np.ones(3) if body == "sun" else MOON
     clear = sky_table(elevation, turbidity) * scale + NIGHT
     bare = sun_illuminance(elevation, turbidity) * scale
@@ -87,7 +93,7 @@ def _made(elevation: float, turbidity: float, body: str, cover: float, depth: fl
     dim = math.exp(-fog_depth)
     mean = mean * dim + (lit - sun * sine - up_irradiance(mean) * dim).clip(0) / np.pi
     reference = max(float(bare @ LUMINANCE), float(up_irradiance(mean) @ LUMINANCE), 1e-9)
-    unit = 2.0 ** round(math.log2(16 / reference)) if reference < 1 else 1.0
+    unit = unit_of(reference)
     aerial = aerial_table(elevation, turbidity) * scale * (1 - cover)
     aerial = (aerial + cover * _aerial_under(deck, turbidity)) * unit
     harmonics = irradiance_harmonics(mean, sun, sine) * unit
@@ -95,6 +101,11 @@ def _made(elevation: float, turbidity: float, body: str, cover: float, depth: fl
         unit, elevation, sun * unit, bare * unit, (clear * unit).astype(np.float32), deck * unit, harmonics,
         aerial.astype(np.float32), *air_extinction(turbidity), fog * unit, share,
     )  # fmt: skip
+
+
+def unit_of(klx: float) -> float:
+    """The power of two that lifts so much light to where half floats have steps; 1 by day."""
+    return 2.0 ** round(math.log2(16 / klx)) if klx < 1 else 1.0
 
 
 @lru_cache(maxsize=1)

@@ -17,9 +17,9 @@ class SkyTextures:
         self.textures: dict[str, moderngl.Texture] = {}
         self.light: SkyLight | None = None
 
-    def update(self, level: Level) -> None:
-        """Follow the level's light settings."""
-        light = sky_light(level.settings)
+    def update(self, level: Level, time_s: float) -> None:
+        """Follow the level's light settings, and the hour of a day that runs."""
+        light = sky_light(level.settings, time_s)
         if light is self.light:
             return
         self.light = light

@@ -128,6 +128,17 @@ class Uploader:
             self.seen["weather_noise"] = seed
         return self.textures["u_weather_noise"]
 
+    def shot_sky(self, level: Level, sampler: str, name: str):
+        """The sky of a shot (Z20), RGBA16F, tiling; a texel for the name ""."""
+        if self.seen.get(sampler) != name:
+            sky = level.skies[name] if name else np.zeros((1, 1, 3), np.float16)
+            self._whole(sampler, np.pad(sky, ((0, 0), (0, 0), (0, 1))), "f2")
+            texture = self.textures[sampler]
+            texture.filter = self.ctx.LINEAR, self.ctx.LINEAR
+            texture.repeat_x = texture.repeat_y = True
+            self.seen[sampler] = name
+        return self.textures[sampler]
+
     def walkable(self, level: Level):
         """Where the player can go, R8, one texel a sample; after a stroke only round what it changed."""
         key = level.layers["height"], level.settings.walk, level.sea_level_m

@@ -31,6 +31,24 @@ SCRIPTS = {
 
 BAD = {
     "": [["paint"], ["--paint"], ["new", "--help-me"]],
+    "shot": [
+        ["bogus"],
+        ["add"],
+        ["add", "beach.shore"],
+        ["add", "beach.shore", "--start", "1"],
+        ["add", "beach.shore", "--start", "9", "--end", "2"],
+        ["add", "beach.shore", "--start", "1", "--end", "inf"],
+        ["add", "beach.shore", "--start", "1", "--end", "9", "--fade", "-1"],
+        ["add", "beach.shore", "--start", "1", "--end", "9", "--name", "a b"],
+        ["add", "beach.shore", "--start", "1", "--end", "9", "--from", "nowhere.png"],
+        ["add", "beach.shore", "--start", "1", "--end", "9", "--from", "broken.png"],
+        ["add", "taken.shore", "--start", "1", "--end", "9"],
+        ["add", "nowhere.shore", "--start", "1", "--end", "9"],
+        ["list", "nowhere.shore"],
+        ["list", "beach.shore", "--start"],
+        ["remove", "beach.shore"],
+        ["remove", "beach.shore", "none"],
+    ],
     "new": [
         [],
         ["beach.shore"],

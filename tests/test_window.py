@@ -255,3 +255,17 @@ def test_a_killed_editor_offers_what_it_had(drive):
     assert restored["dirty"]
     assert restored["leaving"] == "Quit"
     assert not restored["shall_exit"]
+
+
+def test_shots_in_the_window(drive):
+    """Z20 Z25: made from the menu, bars on the timeline that a click takes in hand, into the paint; the hour."""
+    found = drive("shots")
+    assert found["bad"] == []
+    assert found["selected"] == "shot-2"
+    assert found["start"] == 16.0
+    assert found["marks"] == 2
+    assert found["clicked"] == "shot-1"
+    assert abs(found["moment"] - 12.0) < 0.2
+    assert found["painted"]
+    assert found["steps"] == "Paint shot-2"
+    assert found["hour"] == "21 June, 17:40"

@@ -18,6 +18,8 @@ from shorewright.app.object_markers import shown
 from shorewright.app.panels import curve_editor, gradient, history_panel
 from shorewright.app.preferences import Preferences
 from shorewright.app.session import Session
+from shorewright.app.status_bar import day_text
+from shorewright.app.timeline_marks import bars
 from shorewright.io.images import write_image
 from shorewright.level.cloud_profile import curve_samples
 from shorewright.level.environments import environment_of
@@ -382,6 +384,37 @@ def portrait(hands: Hands) -> None:
     hands.press((0.52, 0.72))
     hands.move((0.44, 0.6))
     hands.move((0.36, 0.5))
+    hands.settle()
+
+
+def shots(hands: Hands) -> None:
+    """Two shots made from the menu and seen in the panel and on the timeline; the hour of a day that runs (Z20 Z25)."""
+    session = hands.session
+    session.pause()
+    session.set("clouds.on", True)
+    for time_s in (6.0, 16.0):
+        session.scrub(time_s)
+        hands.ctx.menu_click("//##MainMenuBar/Light/New shot from the sky now")
+        hands.ctx.yield_(2)
+    session.alter("shot-1", {"fade_s": 5.0})
+    session.set_all("Day", {"light.sun_from": "date", "light.day_rate": 600.0})
+    hands.ctx.window_focus("//Objects")
+    hands.ctx.yield_(4)
+    bar = hands.ctx.item_info("**/###scrub").rect_full
+    hands.ctx.mouse_move_to_pos((bar.min.x + 12.0 / 60.0 * (bar.max.x - bar.min.x), bar.max.y - 4))
+    hands.ctx.yield_(2)
+    hands.ctx.mouse_click(LEFT)
+    hands.ctx.yield_(2)
+    hands.note(clicked=session.selected, moment=session.clock.time_s)
+    session.selected = "shot-2"
+    session.scrub(16.0)
+    hands.ctx.yield_(2)
+    shot = session.object("shot-2")
+    hands.note(selected=session.selected, start=shot.start_s, marks=len(bars(session.level, 0, 60)))
+    hands.ctx.item_click("**/###shot_to_paint")
+    hands.ctx.yield_(2)
+    hands.note(painted=not session.level.layers["weather"].neutral, steps=session.journal.done[-1].label)
+    hands.note(hour=day_text(hands.editor).strip(), bad=[line.text for line in hands.editor.messages.lines if line.bad])
     hands.settle()
 
 

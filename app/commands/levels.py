@@ -8,6 +8,7 @@ from typing import Annotated, Literal
 from cyclopts import Parameter
 
 from ...level.errors import BadInput
+from ...level.objects import OBJECT_KINDS
 from .common import LevelPath, numbers, put, put_json, put_notes, put_table, size
 from .tables import Json
 
@@ -144,8 +145,9 @@ def info(level: LevelPath, *, as_json: Json = False) -> int:
     rows += [("map", f"{m['name']}: {m['tiles']} tiles, {m['bytes'] / 2**20:.2f} MB") for m in told["layers"]]
     rows += [("mesh", f"{m['name']}: {m['triangles']} triangles") for m in told["meshes"]]
     for thing in told["objects"]:
-        place = f"{thing['x']:.1f}, {thing['y']:.1f}"
-        rows.append((thing["kind"], f"{thing['name']} at {place}"))
+        where = "" if OBJECT_KINDS[thing["kind"]].placeless else f" at {thing['x']:.1f}, {thing['y']:.1f}"
+        when = f" from {thing['start_s']:g} to {thing['end_s']:g} s" if thing["kind"] == "shot" else ""
+        rows.append((thing["kind"], f"{thing['name']}{where}{when}"))
     rows += [("georeference", f"{key} = {value}") for key, value in told["georeference"].items()]
     put_table(rows)
     return 0

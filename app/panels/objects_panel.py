@@ -20,7 +20,7 @@ from ..placing import BY_KIND, PLACEABLES
 from ..tools import SELECT
 from . import gradient
 
-HIDDEN_FIELDS = ("id", "kind", "stops")  # what has a widget of its own, or none
+HIDDEN_FIELDS = ("id", "kind", "stops", "mesh", "map", "camera")  # what has a widget of its own, or none
 LIST_SHARE = 0.42
 FRAMED_M = 30.0  # how far off the camera stands from what it goes to
 _state = {"filter": "", "renaming": "", "name": ""}
@@ -29,7 +29,9 @@ _state = {"filter": "", "renaming": "", "name": ""}
 @cache
 def fields(kind: str) -> tuple[Param, ...]:
     """The rows that are drawn for an object of a kind."""
-    return tuple(row for row in describe(OBJECT_KINDS[kind]) if row.name not in HIDDEN_FIELDS)
+    model = OBJECT_KINDS[kind]
+    hidden = (*HIDDEN_FIELDS, "x", "y") if model.placeless else HIDDEN_FIELDS
+    return tuple(row for row in describe(model) if row.name not in hidden)
 
 
 def draw(editor: Editor) -> None:
@@ -110,6 +112,11 @@ def go_to(editor: Editor, name: str) -> None:
     if thing.kind == "camera":
         editor.fly_to(thing)
         return
+    if thing.kind == "shot":
+        session.scrub(min(thing.start_s + thing.fade_s, (thing.start_s + thing.end_s) / 2))
+        if thing.camera in session.level.objects:
+            go_to(editor, thing.camera)
+        return
     for marker in markers(session.level):
         if marker.id == name:
             editor.fly_to(looking_at(session.camera, marker.place, session.level))
@@ -136,8 +143,10 @@ def _selected(editor: Editor, thing: Placed) -> None:
         return
     if thing.kind == "prop":
         _mesh(editor, thing)
+    if thing.kind == "shot":
+        _sky(editor, thing)
     param_widgets.draw_all(
-        [row for row in fields(thing.kind) if row.name != "mesh"],
+        list(fields(thing.kind)),
         lambda name: getattr(thing, name),
         lambda name, value, merge: editor.attempt(session.alter, thing.id, {name: value}, merge),
         session.seal,
@@ -169,3 +178,29 @@ def _mesh(editor: Editor, thing: Placed) -> None:
             session.ask("prop")
         imgui.end_combo()
     param_widgets.tooltip("The mesh it shows, of those that the level holds.")
+
+
+def _sky(editor: Editor, thing: Placed) -> None:
+    """Which of the level's skies a shot shows, and in whose picture."""
+    session = editor.session
+    cameras = sorted(name for name, other in session.level.objects.items() if other.kind == "camera")
+    for field, names, none, doc in (
+        ("map", sorted(session.level.skies), "no sky", "The sky it shows, of those that the level holds."),
+        ("camera", cameras, "all cameras", "The camera whose picture has it."),
+    ):
+        value = getattr(thing, field)
+        imgui.set_next_item_width(-imgui.FLT_MIN)
+        if imgui.begin_combo(f"###{field}", value or none):
+            for name in names if field == "map" else ["", *names]:
+                if imgui.selectable(f"{name or none}###{field}_{name}", name == value)[0]:
+                    editor.attempt(session.alter, thing.id, {field: name})
+            imgui.end_combo()
+        param_widgets.tooltip(doc)
+    action = ACTIONS["shot_to_paint"]
+    imgui.begin_disabled(not action.enabled(session))
+    if imgui.button(theme.titled("paintbrush", "Into the paint", "shot_to_paint")):
+        editor.do(action)
+    imgui.end_disabled()
+    param_widgets.tooltip("Its sky becomes the painted one, to be painted on; what was painted before goes (undo).")
+    if thing.end_s <= thing.start_s:
+        imgui.text_colored(theme.colour(theme.WARM), "It ends before it starts, so it is never seen.")

@@ -1,8 +1,11 @@
-// The weather map at a place and a time (Z04 to Z06). The twin is level/weather.py.
+// The weather map at a place and a time (Z04 to Z06, Z20). The twin is level/weather.py.
 
 uniform sampler2D u_weather_noise;       // a broad pattern and its quarter turn, a fine one and its own; Gaussian
 uniform sampler2D u_layer_weather;       // painted coverage, precipitation, type; weight of the coverage
 uniform sampler2D u_layer_weather_more;  // weights of precipitation and type
+uniform sampler2D u_weather_shot_a, u_weather_shot_b;        // skies of shots, the lower first
+uniform vec3 u_weather_shot_a_at, u_weather_shot_b_at;       // metres moved, share
+uniform vec2 u_weather_over_shots;       // how much of the paint and of the horizon's sky shows over them
 uniform vec4 u_weather_turn;             // cosine and sine of the state of the broad and of the fine pattern
 uniform vec2 u_weather_moved;            // metres that the air has moved, and the map's middle
 uniform vec2 u_weather_paint_moved;      // the same of the paint
@@ -60,6 +63,13 @@ vec4 weather_simulated(vec2 xy) {
                 weather_spread(mean.y, weather_even(xy, vec2(0.371, 0.613)), 0.3), storm.y);
 }
 
+// The sky of a shot over what there is.
+vec3 weather_shot(vec3 sky, sampler2D map, vec3 at, vec2 xy) {
+    if (at.z <= 0.0) return sky;
+    vec2 side = vec2(textureSize(map, 0));
+    return mix(sky, textureLod(map, (xy - at.xy) / WEATHER_TILE_M + 0.5 + 0.5 / side, 0.0).rgb, at.z);
+}
+
 // Coverage, precipitation and gradient coordinate of coverage, precipitation and type (Z04).
 vec3 weather_pulled(vec3 sky) {
     return vec3(mix(sky.x, max(sky.x, RAINY), sky.y), sky.y, mix(0.5 * sky.z, 1.0, sky.y));
@@ -69,17 +79,19 @@ vec3 weather_pulled(vec3 sky) {
 vec4 weather_of(vec2 xy, vec2 camera, int stage) {
     vec4 simulated = weather_simulated(xy);
     vec3 sky = simulated.xyz, weight = vec3(0.0);
+    sky = weather_shot(sky, u_weather_shot_a, u_weather_shot_a_at, xy);
+    sky = weather_shot(sky, u_weather_shot_b, u_weather_shot_b_at, xy);
     if (stage > STAGE_SIMULATED && u_weather_painted) {
         vec2 side = vec2(textureSize(u_layer_weather, 0));
         vec2 uv = (xy - u_weather_paint_moved) / WEATHER_TILE_M + 0.5 + 0.5 / side;
         vec4 painted = textureLod(u_layer_weather, uv, 0.0);
-        weight = vec3(painted.w, textureLod(u_layer_weather_more, uv, 0.0).rg);
+        weight = vec3(painted.w, textureLod(u_layer_weather_more, uv, 0.0).rg) * u_weather_over_shots.x;
         sky = mix(sky, painted.rgb, weight);
     }
     if (stage > STAGE_PAINTED) {
         float away = distance(xy, camera), seen = simulated.w * (1.0 - smoothstep(26000.0, 34000.0, away));
         float share = smoothstep(u_weather_horizon.x, u_weather_horizon.y, away) * (1.0 - seen);
-        sky = mix(sky, vec3(u_weather_horizon.z, 0.0, u_weather_horizon.w), share * (1.0 - weight));
+        sky = mix(sky, vec3(u_weather_horizon.z, 0.0, u_weather_horizon.w), share * u_weather_over_shots.y * (1.0 - weight));
     }
     if (stage > STAGE_HORIZON) sky = weather_pulled(sky);
     return vec4(sky, max(weight.x, max(weight.y, weight.z)));

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from ...level.weather import SIDE, STAGES, weather_noise, weather_uniforms
+from ...level.shots import shots_at
+from ...level.weather import SIDE, STAGES, shot_uniforms, weather_noise, weather_uniforms
 from ..frame import Frame
 from ..uniforms import set_uniforms
 
@@ -15,6 +16,7 @@ class WeatherMap:
         self.texture.filter = ctx.LINEAR, ctx.LINEAR
         self.framebuffer = ctx.framebuffer([self.texture])
         self.key: tuple = ()
+        self.skies: tuple = ()  # names of those of shots
 
     def release(self) -> None:
         self.framebuffer.release()
@@ -38,8 +40,10 @@ def bind_map(frame: Frame, stage: str = "final") -> None:
 def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
     """Bring a map up to date as it is after one of STAGES."""
     level, uploader = frame.level, frame.renderer.uploader
-    values = weather_uniforms(level, frame.time_s)
+    values = weather_uniforms(level, frame.time_s, frame.camera.id)
     shader = frame.shader("weather.glsl", **bind_weather(frame, values))
+    if made.skies != (skies := (uploader.seen["u_weather_shot_a"], uploader.seen["u_weather_shot_b"])):
+        made.key, made.skies = (), skies
     camera = tuple(float(v) for v in frame.matrices.position[:2])
     key = (
         *(v.tobytes() if hasattr(v, "tobytes") else v for v in values.values()),
@@ -65,6 +69,10 @@ def bind_weather(frame: Frame, values: dict) -> dict[str, str]:
     uploader = frame.renderer.uploader
     frame.textures["u_layer_weather"] = uploader.layer(frame.level, "weather")
     frame.textures["u_layer_weather_more"] = uploader.textures["u_layer_weather_more"]
+    shots = [seen.shot.map for seen in shots_at(frame.level, frame.time_s, frame.camera.id)]
+    for sampler, name in zip(("u_weather_shot_a", "u_weather_shot_b"), (*shots, "", "")):
+        frame.textures[sampler] = uploader.shot_sky(frame.level, sampler, name)
     frame.textures["u_weather_noise"] = uploader.weather_noise(frame.level, weather_noise)
-    frame.uniforms |= values
+    # whoever else draws the map may have asked without the camera
+    frame.uniforms |= values | shot_uniforms(frame.level, frame.time_s, frame.camera.id)
     return {}

@@ -226,7 +226,7 @@ def start(ctx) -> list[dict]:
     from shorewright.renderer import TIERS, Renderer, air, sky_light, sky_table
     from shorewright.renderer.cache import VARIABLE
 
-    made = [textures.noise_texture, textures.foam_texture, textures.ripple_texture, sky_light._made]
+    made = [textures.noise_texture, textures.foam_texture, textures.ripple_texture, sky_light.made]
     made.append(ground_textures.ground_textures)
     made += [sky_table.sky_table, sky_table.aerial_table, air.multiple_table, air.transmittance_table]
     before, took = os.environ.get(VARIABLE), []

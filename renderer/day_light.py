@@ -1,0 +1,107 @@
+"""The light of a day that runs (Z25): that of sky_light.py at steps of the sun's elevation, blended between them.
+
+At night the moon's is added. The full moon stands opposite the sun, so that a table by the azimuth from the one is the
+other's read from its end.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import fields
+from functools import lru_cache
+
+import numpy as np
+
+from ..level import Settings
+from ..level.sun import MOON_BELOW_DEG, day_runs
+from .sky_light import LUMINANCE, SkyLight, made, sky_light, unit_of
+
+LOWEST_DEG = -20.0  # from there on nothing of the sun is left
+LOW_DEG, LOW_STEP_DEG, STEP_DEG = 3.0, 0.25, 0.5  # about the horizon light changes the most
+MOON_WHOLE_DEG = -6.0  # elevation of the sun at which the moon has come up to its own light
+NIGHT_LUX = 1.0, 0.05  # light of late dusk and of a low full moon, between which colours turn to those of night
+NIGHT_WHITE = 0.78  # of the temperature that shows as white by day
+SCALED = ("sun", "disc", "table", "deck", "harmonics", "aerial", "fog")  # what is times `unit`
+ODD = (3, 7)  # harmonics that change sign with the azimuth
+
+
+@lru_cache(maxsize=4)
+def day_light(elevation_deg: float, sky: tuple, moonlit: bool) -> SkyLight:
+    """Light under a sun at an elevation; `sky` is turbidity, body, cover and depth of cloud, depth of fog."""
+    light = _between(elevation_deg, sky)
+    if not moonlit or sky[1] != "sun" or elevation_deg >= MOON_BELOW_DEG:
+        return light
+    return _with_moon(light, _between(-elevation_deg, (sky[0], "moon", *sky[2:])), elevation_deg)
+
+
+@lru_cache(maxsize=64)
+def _step(elevation_deg: float, sky: tuple) -> SkyLight:
+    return made(elevation_deg, *sky)
+
+
+def _between(elevation_deg: float, sky: tuple) -> SkyLight:
+    """The light between two steps, so weighted that its amount goes by equal shares, as at dusk."""
+    at = max(elevation_deg, LOWEST_DEG)
+    step = LOW_STEP_DEG if abs(at) < LOW_DEG else STEP_DEG
+    below = math.floor(at / step) * step
+    low, high = _step(below, sky), _step(min(below + step, 90.0), sky)
+    share = (at - below) / step
+    ratio = amount(high) / amount(low)
+    if abs(ratio - 1) > 1e-6:
+        share = (ratio**share - 1) / (ratio - 1)
+    return _sum(elevation_deg, ((low, 1 - share), (high, share)))
+
+
+def _with_moon(sun: SkyLight, moon: SkyLight, sun_elevation_deg: float) -> SkyLight:
+    """Both lights, by the azimuth from the moon, which comes up over the dusk by and by."""
+    risen = _eased((sun_elevation_deg - MOON_BELOW_DEG) / (MOON_WHOLE_DEG - MOON_BELOW_DEG))
+    harmonics = sun.harmonics.copy()
+    harmonics[list(ODD)] *= -1
+    turned = _like(sun, table=sun.table[:, ::-1], aerial=sun.aerial[:, :, ::-1], harmonics=harmonics)
+    return _sum(moon.elevation_deg, ((turned, 1.0), (moon, risen)))
+
+
+def _sum(elevation_deg: float, parts: tuple[tuple[SkyLight, float], ...]) -> SkyLight:
+    """Lights times their weights; what is no light comes from the first and its share of the second."""
+    total = {name: sum(getattr(p, name) * (w / p.unit) for p, w in parts) for name in SCALED}
+    reference = max(float(total["disc"] @ LUMINANCE), float(total["harmonics"][0] @ LUMINANCE) * 0.282095, 1e-9)
+    unit = unit_of(reference)
+    total = {name: value * unit for name, value in total.items()}
+    for name in ("table", "aerial"):
+        total[name] = total[name].astype(np.float32)
+    return _like(parts[0][0], unit=unit, elevation_deg=elevation_deg, **total)
+
+
+def _like(light: SkyLight, **values) -> SkyLight:
+    return SkyLight(**{row.name: values.get(row.name, getattr(light, row.name)) for row in fields(light)})
+
+
+def amount(light: SkyLight) -> float:
+    """Luminous part of what falls on level ground, klx."""
+    sine = max(math.sin(math.radians(light.elevation_deg)), 0.0)
+    return max(float(light.on_level(sine) @ LUMINANCE) / light.unit, 1e-12)
+
+
+def exposure_ev(settings: Settings, time_s: float) -> float:
+    """The exposure at a time: that of the settings for the light at time zero, and as the light goes, so it goes."""
+    light = settings.light
+    if not day_runs(light) or light.body == "even":
+        return light.exposure_ev
+    now, then = (amount(sky_light(settings, at)) for at in (time_s, 0.0))
+    return light.exposure_ev + light.adapt * math.log2(now / then)
+
+
+def white_k(settings: Settings, time_s: float) -> float:
+    """What shows as white at a time: at night less, for eyes see moonlight blue (Purkinje's shift)."""
+    light = settings.light
+    if not day_runs(light) or light.body == "even":
+        return light.white_k
+    brightest, darkest = (math.log10(lux / 1000) for lux in NIGHT_LUX)
+    t = (math.log10(amount(sky_light(settings, time_s))) - brightest) / (darkest - brightest)
+    return light.white_k * (1 - (1 - NIGHT_WHITE) * _eased(t))
+
+
+def _eased(t: float) -> float:
+    """0 … 1 as GLSL's smoothstep goes."""
+    t = min(max(t, 0.0), 1.0)
+    return t * t * (3 - 2 * t)
