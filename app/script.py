@@ -170,7 +170,7 @@ Action = Annotated[
     | Crop
     | Import
     | Mesh
-    | WeatherImport,
+    | WeatherImport
     | ShotAdd
     | ShotToPaint,
     Field(discriminator="do"),
