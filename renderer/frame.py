@@ -74,8 +74,9 @@ PASSES: tuple[Pass, ...] = (
     Pass("lamps", ("lamps.glsl",), GBUFFER, ("hdr",), "Point lights, land and sea alike.", "D01"),
     Pass("sky", ("sky.glsl",), ("g_eye_depth",), ("hdr",), "Sky where nothing was drawn."),
     Pass("fog", ("fog.glsl",), ("hdr", "g_eye_depth", "u_aerial"), ("picture",), "Air, haze.", "L02 D38"),
-    Pass("clouds", ("clouds.glsl", "cloud_composite.glsl"), ("u_weather", "g_eye_depth", "u_aerial"), ("picture",),
-         "Clouds in volume over sky and land.", "Z02 Z12 Z14 Z15 Z17"),
+    Pass("clouds", ("clouds.glsl", "cloud_resolve.glsl", "cloud_composite.glsl"),
+         ("u_weather", "g_eye_depth", "u_aerial"), ("picture",),
+         "Clouds in volume over sky and land.", "Z02 Z12 Z14 Z15 Z16 Z17"),
     Pass("view", ("view.glsl", "cloud_view.glsl"), (*GBUFFER, "hdr", "u_clouds"), ("picture",),
          "Instead of it: a buffer or a mask.", "T11"),
     Pass("display", ("display.glsl",), ("picture",), ("shown", "display"), "Exposure, curve, sRGB, dither.", once=True),
@@ -107,6 +108,8 @@ class Frame:
     matrices: Matrices
     targets: object
     textures: dict
+    index: int = 0  # which of the samples
+    live: bool = False  # one of many pictures: what is dear may be made a part at a time
     uniforms: dict = field(default_factory=dict)
     stats: dict = field(default_factory=dict)
 
@@ -160,19 +163,21 @@ class Renderer:
     def draw(
         self, level: Level, camera: Camera, size: tuple[int, int], time_s: float = 0.0, view: str = "final",
         show: Show | None = None, quality: str = "medium", samples: int = 1, overlays: Overlays | None = None,
-        scale: float | None = None, part: range | None = None,
+        scale: float | None = None, part: range | None = None, live: bool = False,
     ):  # fmt: skip
         """Draw a picture; returns the texture to show, RGBA8 `size`, its first row at the bottom.
 
         `samples` > 1 averages that many pictures, each moved by a part of a pixel, in linear light; with `part` only
         these of them now, over those drawn by calls before. `scale` is the share of the sides that is drawn before a
-        filter fills them, None the tier's; views of numbers are never scaled.
+        filter fills them, None the tier's; views of numbers are never scaled. `live` pictures follow each other: of
+        the clouds of each a part is marched, the others are remembered.
         """
         row = find_view(view)
         scale = 1.0 if row.value else tier(quality).scale if scale is None else scale
         part = range(max(samples, 1)) if part is None else part
         for index in part:
             frame = self.prepare(level, camera, size, time_s, row, show, quality, overlays, samples, index, scale)
+            frame.live = live
             targets = frame.targets
             self._run(frame, once=False)
             if samples > 1:
@@ -214,7 +219,7 @@ class Renderer:
         textures = {**self.uploader.textures, **dict(self.generated.items()), **self.sky.textures, **targets.textures}
         frame = Frame(
             self, shown, camera, drawn, size, time_s, view, show, row, overlays or Overlays(), samples, matrices,
-            targets, textures,
+            targets, textures, index=index,
         )  # fmt: skip
         frame.uniforms = frame_uniforms(frame)
         return frame

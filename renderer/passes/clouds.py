@@ -8,27 +8,13 @@ import numpy as np
 
 from ...level.cloud_profile import profile_table
 from ...level.weather import drift_m, middle_m
+from ..cloud_image import ORDER, CloudHistory, CloudImage
 from ..frame import Frame
 from ..uniforms import set_uniforms
+from .cloud_history import advance, seen_now
 
 REACH_M = 55_000.0
 UNDER_CLOUD = 0.6  # of the light that the ground gives back: part of it lies in their shadow
-
-
-class CloudImage:
-    """Light and transmittance of the clouds, and how far they are, at half the picture's sides."""
-
-    def __init__(self, ctx, size: tuple[int, int]) -> None:
-        self.size = size
-        self.textures = [ctx.texture(size, 4, dtype="f2"), ctx.texture(size, 1, dtype="f4")]
-        for texture in self.textures:
-            texture.filter = ctx.LINEAR, ctx.LINEAR
-            texture.repeat_x = texture.repeat_y = False
-        self.framebuffer = ctx.framebuffer(self.textures)
-
-    def release(self) -> None:
-        for thing in (self.framebuffer, *self.textures):
-            thing.release()
 
 
 def shown(frame: Frame) -> bool:
@@ -44,30 +30,37 @@ def half(size: tuple[int, int]) -> tuple[int, int]:
 def draw(frame: Frame) -> None:
     if not shown(frame):
         return
-    image = _image(frame)
-    march(frame, image)
-    frame.textures |= dict(zip(("u_clouds", "u_clouds_depth"), image.textures, strict=True))
+    history = _history(frame)
+    values = cloud_uniforms(frame)
+    values["u_ray_centre"] = tuple(float(v) for v in -frame.matrices.view[2])  # samples of a picture share one image
+
+    def march(image: CloudImage, pixel: tuple[float, float, float]) -> None:
+        """March the pixels that `pixel` says (shaders/clouds.glsl) into an image."""
+        shader = frame.shader("clouds.glsl")
+        size = tuple(map(float, history.size))
+        set_uniforms(shader.program, {**values, "u_cloud_size": size, "u_cloud_pixel": pixel})
+        image.framebuffer.use()
+        shader.fullscreen()
+
+    if frame.live:
+        advance(frame, history, march)
+    elif frame.index == 0 or history.seen is None:
+        march(history.image, (0.0, 0.0, 1.0))
+        history.seen, history.painted = seen_now(frame), frame.level.layer_revision("weather")
+        history.settled = len(ORDER)
+        frame.stats["clouds_marched"] = history.size[0] * history.size[1]
+    frame.textures |= dict(zip(("u_clouds", "u_clouds_depth"), history.image.textures, strict=True))
     _composite(frame)
 
 
-def _image(frame: Frame) -> CloudImage:
+def _history(frame: Frame) -> CloudHistory:
     held, size = frame.renderer.kept, half(frame.size)
-    image = held.get("clouds")
-    if image is None or image.size != size:
-        if image is not None:
-            image.release()
-        image = held["clouds"] = CloudImage(frame.renderer.ctx, size)
-    return image
-
-
-def march(frame: Frame, image: CloudImage) -> None:
-    """March every pixel of the image."""
-    values = cloud_uniforms(frame)
-    shader = frame.shader("clouds.glsl")
-    set_uniforms(shader.program, {**values, "u_cloud_size": image.size, "u_cloud_pixel": (0.0, 0.0, 1.0)})
-    image.framebuffer.use()
-    shader.fullscreen()
-    frame.stats["clouds_marched"] = image.size[0] * image.size[1]
+    history = held.get("clouds")
+    if history is None or history.size != size:
+        if history is not None:
+            history.release()
+        history = held["clouds"] = CloudHistory(frame.renderer.ctx, size)
+    return history
 
 
 def _composite(frame: Frame) -> None:
