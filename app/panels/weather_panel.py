@@ -184,8 +184,8 @@ class WeatherPanel:
         """Skies with a name: a click makes one the target of the brush."""
         imgui.separator_text("Paint")
         for name, title, text, doc in (
-            ("weather.fill", "fill", "All of it", "The brush's targets over the whole sky, as one step."),
-            ("weather.erase", "eraser", "Erase all", "No paint anywhere: the simulation alone, as one step."),
+            ("sky.fill", "fill", "All of it", "The brush's targets over the whole sky, as one step."),
+            ("sky.erase", "eraser", "Erase all", "No paint anywhere: the simulation alone, as one step."),
         ):
             imgui.begin_disabled(not ACTIONS[name].enabled(self.editor.session))
             if imgui.button(theme.titled(title, text, name)):
