@@ -141,10 +141,8 @@ def _rows() -> list[Action]:
             Action(f"brush.{brush.name}", brush.label, (brush.key,) if brush.key else (), "Brush", _brush(brush.name))
             for brush in BRUSHES.values()
         ),
-        Action("weather.fill", "Paint all of the sky", (), "Brush", sky_brush.fill),
-        Action(
-            "weather.erase", "Erase all painted weather", (), "Brush", lambda s: sky_brush.fill(s, "erase"), _has_sky
-        ),
+        Action("sky.fill", "Paint all of the sky", (), "Brush", sky_brush.fill),
+        Action("sky.erase", "Erase all painted weather", (), "Brush", _erase_sky, _has_sky),
         *(
             Action(f"cloud.{row.name}", row.label, (), "Clouds to paint", _cloud(row.name))
             for row in CLOUD_TYPES.values()

@@ -436,31 +436,35 @@ def weather(hands: Hands) -> None:
     session.pause()
     session.camera = session.camera.model_copy(update={"x": 110.0, "y": 20.0, "z": 6.0, "yaw_deg": 10, "pitch_deg": 8})
     hands.note(start=hands.sky())
-    hands.key(imgui.Key._9)
+    hands.until(lambda: session.brush == "weather", lambda: hands.key(imgui.Key._9))
     hands.drag((0.5, 0.85), (0.6, 0.9))
     hands.note(brush=session.brush, over_land=hands.sky(), pointed=session.sky_cursor)
     ctx.window_focus("//Weather map")
     ctx.yield_(3)
-    ctx.item_click("//Weather map/**/###cloud_thunderstorm")
-    ctx.yield_(2)
-    params = session.params["weather"]
-    hands.note(targets=[params.coverage, params.precipitation, params.type])
-    hands.press((0.4, 0.15))
-    hands.move((0.5, 0.2))
-    hands.move((0.6, 0.12))
-    hands.note(ring=session.sky_cursor, during=hands.sky())
-    hands.release()
+    params = session.params
+    swatch = "//Weather map/**/###cloud_thunderstorm"
+    hands.until(lambda: params["weather"].precipitation == 1, lambda: ctx.item_click(swatch))
+    hands.note(targets=[params["weather"].coverage, params["weather"].precipitation, params["weather"].type])
+
+    def over_the_sky() -> None:
+        hands.press((0.4, 0.15))
+        hands.move((0.5, 0.2))
+        hands.move((0.6, 0.12))
+        if session.stroke is not None:
+            hands.note(ring=session.sky_cursor, during=hands.sky())
+        hands.release()
+
+    hands.until(lambda: session.journal.done, over_the_sky)
     hands.note(after=hands.sky(), steps=[s.label for s in session.journal.done])
     session.scrub(session.clock.time_s + 60)  # the wind carries it on; the recorded stroke stays
-    hands.key(CTRL, imgui.Key.z)
+    hands.until(lambda: session.journal.undone, lambda: hands.key(CTRL, imgui.Key.z))
     hands.note(undone=hands.sky())
-    hands.key(CTRL, SHIFT, imgui.Key.z)
+    hands.until(lambda: not session.journal.undone, lambda: hands.key(CTRL, SHIFT, imgui.Key.z))
     hands.note(redone=hands.sky())
     _paint_map(hands)
-    hands.key(CTRL, imgui.Key.z)
-    hands.key(CTRL, imgui.Key.z)
-    hands.note(undone_at_last=hands.sky(), ground=hands.volume())
-    hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
+    for left in (1, 0):
+        hands.until(lambda left=left: len(session.journal.done) <= left, lambda: hands.key(CTRL, imgui.Key.z))
+    hands.note(undone_at_last=hands.sky(), bad=[line.text for line in hands.editor.messages.lines if line.bad])
 
 
 def _paint_map(hands: Hands) -> None:
@@ -474,22 +478,27 @@ def _paint_map(hands: Hands) -> None:
         ctx.mouse_move_to_pos((panel.corner[0] + side * x, panel.corner[1] + side * y))
         ctx.yield_(2)
 
-    go(0.3, 0.3)
-    ctx.mouse_down(LEFT)
-    ctx.yield_(2)
-    go(0.6, 0.35)
-    hands.note(map_pointer=hands.editor.map_pointer)
-    ctx.mouse_up(LEFT)
-    ctx.yield_(2)
+    def stroke() -> None:
+        go(0.3, 0.3)
+        ctx.mouse_down(LEFT)
+        ctx.yield_(2)
+        go(0.6, 0.35)
+        hands.note(map_pointer=hands.editor.map_pointer)
+        ctx.mouse_up(LEFT)
+
+    def take() -> None:
+        ctx.key_down(int(imgui.Key.p))
+        ctx.yield_(2)
+        ctx.mouse_click(LEFT)
+        ctx.yield_(2)
+        ctx.key_up(int(imgui.Key.p))
+
+    hands.until(lambda: len(session.journal.done) > 1, stroke)
     hands.note(on_map=hands.sky(), map_steps=[s.label for s in session.journal.done])
     session.set_param("coverage", 0.1)
-    ctx.key_down(int(imgui.Key.p))
-    ctx.mouse_click(LEFT)
-    ctx.key_up(int(imgui.Key.p))
-    ctx.yield_(2)
+    hands.until(lambda: session.params["weather"].coverage > 0.5, take)
     hands.note(taken=session.params["weather"].coverage, took_steps=len(session.journal.done))
-    ctx.mouse_wheel_y(3)
-    ctx.yield_(3)
+    hands.until(lambda: panel.sight.span_m < 60_000, lambda: ctx.mouse_wheel_y(3))
     hands.note(zoomed_m=panel.sight.span_m)
 
 
