@@ -1,4 +1,6 @@
-"""The timeline: run or pause, one step, scrub, rate, loop; ticks stand where a wave leaves the outer edge (T05)."""
+"""The timeline: run or pause, one step, scrub, rate, loop; ticks stand where a wave leaves the outer edge (T05),
+bands where a key changes the weather (D36).
+"""
 
 from __future__ import annotations
 
@@ -9,6 +11,7 @@ from imgui_bundle import imgui
 from ..level.objects import Placed
 from ..level.params import row
 from ..level.settings import Settings
+from ..level.weather_keys import keys_of
 from . import theme, timeline_marks
 from .editor import Editor
 from .param_widgets import slider, tooltip
@@ -94,7 +97,7 @@ class Timeline:
             clock.paused = not self._ran
         self._paint(corner, width, first, last, imgui.is_item_hovered())
         told = "\n".join(timeline_marks.sentence(thing) for thing in self._under)
-        tooltip(told or "Drag to scrub. A tick for every wave that sets out, a bar for every shot.")
+        tooltip(told or "Drag to scrub. A tick for every wave that sets out, a bar for every shot, a band for weather.")
 
     def _paint(self, corner, width: float, first: float, last: float, hovered: bool) -> None:
         clock = self.editor.session.clock
@@ -109,6 +112,11 @@ class Timeline:
         now = min(max(place(clock.time_s), low.x), high.x)
         done = imgui.ImVec2(now, high.y)
         draw_list.add_rect_filled(low, done, theme.packed(theme.ACCENT_DEEP, 0.75), 4)
+        for key in keys_of(self.editor.session.level):
+            begin, end = (min(max(place(t), low.x), high.x) for t in (key.time_s, key.time_s + key.fade_s))
+            if end > begin:
+                band = imgui.ImVec2(begin, high.y - 4), imgui.ImVec2(end, high.y)
+                draw_list.add_rect_filled(*band, theme.packed(theme.WARM, 0.8), 2)
         for time_s in self._waves(first, last):
             x = place(time_s)
             draw_list.add_line(

@@ -9,6 +9,7 @@ from imgui_bundle import imgui
 from ...level import Settings
 from ...level.environments import ENVIRONMENTS, environment_of
 from ...level.params import Param, describe, get
+from ...level.weather_presets import WEATHERS, weather_of
 from .. import param_widgets
 from ..actions import ACTIONS
 from ..editor import Editor
@@ -71,7 +72,9 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
         if changed:
             editor.set(switch.name, on)
     if opened and name == "light":
-        _environments(editor)
+        _named(editor, "environment", "light", ENVIRONMENTS, environment_of(settings))
+    if opened and name == "weather":
+        _named(editor, "weather", "weather", WEATHERS, weather_of(settings))
     if opened:
         imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(7, 4))
         param_widgets.draw_all(
@@ -86,12 +89,11 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
         imgui.spacing()
 
 
-def _environments(editor: Editor) -> None:
-    """Named light and air, as buttons that set all of it in one step."""
-    now = environment_of(editor.session.level.settings)
+def _named(editor: Editor, what: str, actions: str, table: dict, now: str) -> None:
+    """Named light and air, or weather, as buttons that set all of it in one step."""
     right = imgui.get_cursor_screen_pos().x + imgui.get_content_region_avail().x
-    first = next(iter(ENVIRONMENTS))
-    for row in ENVIRONMENTS.values():
+    first = next(iter(table))
+    for row in table.values():
         style = imgui.get_style()
         wide = imgui.calc_text_size(row.label).x + 2 * style.frame_padding.x + style.item_spacing.x
         if row.name != first and imgui.get_item_rect_max().x + wide < right:
@@ -99,8 +101,8 @@ def _environments(editor: Editor) -> None:
         chosen = row.name == now
         if chosen:
             imgui.push_style_color(imgui.Col_.button, imgui.get_style_color_vec4(imgui.Col_.button_active))
-        if imgui.button(f"{row.label}###environment_{row.name}"):
-            editor.do(ACTIONS[f"light.{row.name}"])
+        if imgui.button(f"{row.label}###{what}_{row.name}"):
+            editor.do(ACTIONS[f"{actions}.{row.name}"])
         if chosen:
             imgui.pop_style_color()
         param_widgets.tooltip(row.doc)
