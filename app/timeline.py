@@ -8,13 +8,13 @@ import math
 
 from imgui_bundle import imgui
 
-from ..level.objects import Placed
 from ..level.params import row
 from ..level.settings import Settings
 from ..level.weather_keys import keys_of
 from . import theme, timeline_marks
 from .editor import Editor
 from .param_widgets import slider, tooltip
+from .timeline_marks import Strip
 
 PAGE_S = 60.0  # without a loop the bar shows the page of this length that time is on
 BAR_PX = 24
@@ -41,7 +41,6 @@ class Timeline:
     def __init__(self, editor: Editor) -> None:
         self.editor = editor
         self._ran = False  # time ran before the scrubbing began
-        self._under: list[Placed] = []  # what marks under the pointer stand for
 
     def draw(self) -> None:
         clock = self.editor.session.clock
@@ -84,49 +83,44 @@ class Timeline:
         clock = session.clock
         first, last = span(clock.time_s, clock.loop)
         corner = imgui.get_cursor_screen_pos()
+        strip = Strip(corner.x, corner.y + 2, corner.x + width, corner.y + BAR_PX, first, last)
         imgui.invisible_button("###scrub", imgui.ImVec2(width, BAR_PX))
+        under = timeline_marks.under(session.level, strip, *imgui.get_mouse_pos())
         if imgui.is_item_activated():
             self._ran = not clock.paused
             clock.paused = True
-            if self._under:
-                session.selected = self._under[-1].id
+            if under:
+                session.selected = under[-1].id
         if imgui.is_item_active():
             part = min(max((imgui.get_mouse_pos().x - corner.x) / width, 0), 1)
             session.scrub(first + part * (last - first))
         if imgui.is_item_deactivated():
             clock.paused = not self._ran
-        self._paint(corner, width, first, last, imgui.is_item_hovered())
-        told = "\n".join(timeline_marks.sentence(thing) for thing in self._under)
+        self._paint(strip, imgui.is_item_hovered())
+        told = "\n".join(timeline_marks.sentence(thing) for thing in under)
         tooltip(told or "Drag to scrub. A tick for every wave that sets out, a bar for every shot, a band for weather.")
 
-    def _paint(self, corner, width: float, first: float, last: float, hovered: bool) -> None:
+    def _paint(self, strip: Strip, hovered: bool) -> None:
         clock = self.editor.session.clock
         draw_list = imgui.get_window_draw_list()
-        low = imgui.ImVec2(corner.x, corner.y + 2)
-        high = imgui.ImVec2(corner.x + width, corner.y + BAR_PX)
+        low, high = imgui.ImVec2(strip.left, strip.top), imgui.ImVec2(strip.right, strip.bottom)
         draw_list.add_rect_filled(low, high, theme.packed(theme.FIELD_HOVER if hovered else theme.FIELD), 4)
-
-        def place(time_s: float) -> float:
-            return corner.x + (time_s - first) / (last - first) * width
-
-        now = min(max(place(clock.time_s), low.x), high.x)
+        now = min(max(strip.x_of(clock.time_s), low.x), high.x)
         done = imgui.ImVec2(now, high.y)
         draw_list.add_rect_filled(low, done, theme.packed(theme.ACCENT_DEEP, 0.75), 4)
         for key in keys_of(self.editor.session.level):
-            begin, end = (min(max(place(t), low.x), high.x) for t in (key.time_s, key.time_s + key.fade_s))
+            begin, end = (min(max(strip.x_of(t), low.x), high.x) for t in (key.time_s, key.time_s + key.fade_s))
             if end > begin:
                 band = imgui.ImVec2(begin, high.y - 4), imgui.ImVec2(end, high.y)
                 draw_list.add_rect_filled(*band, theme.packed(theme.WARM, 0.8), 2)
-        for time_s in self._waves(first, last):
-            x = place(time_s)
+        for time_s in self._waves(strip.first_s, strip.last_s):
+            x = strip.x_of(time_s)
             draw_list.add_line(
                 imgui.ImVec2(x, high.y - 8), imgui.ImVec2(x, high.y - 1), theme.packed(theme.INK, 0.35), 1.5
             )
-        self._under = timeline_marks.draw(
-            self.editor.session.level, self.editor.session.selected, low, high, first, last
-        )
+        timeline_marks.draw(self.editor.session.level, strip, self.editor.session.selected)
         draw_list.add_line(imgui.ImVec2(now, low.y - 2), imgui.ImVec2(now, high.y + 2), theme.packed(theme.INK), 2)
-        for time_s, right in ((first, False), (last, True)):
+        for time_s, right in ((strip.first_s, False), (strip.last_s, True)):
             text = f"{time_s:g}"
             size = imgui.calc_text_size(text)
             x = high.x - size.x - 6 if right else low.x + 6

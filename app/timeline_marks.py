@@ -12,6 +12,7 @@ from . import theme
 
 LANE_PX = 5.0
 LANES = 3
+KEY_PX, KEY_DOWN_PX = 4.0, 6.0  # half a diamond, and how far down it hangs
 
 
 @dataclass(frozen=True)
@@ -65,27 +66,50 @@ def sentence(thing: Placed) -> str:
     return f"{thing.id}{f' of {thing.camera}' if thing.camera else ''}: {thing.start_s:g} to {thing.end_s:g} s"
 
 
-def draw(level: Level, selected: str, low, high, first_s: float, last_s: float) -> list[Placed]:
-    """Draw all marks into a rectangle of the screen; returns what those under the pointer stand for."""
-    draw_list, mouse, under = imgui.get_window_draw_list(), imgui.get_mouse_pos(), []
+@dataclass(frozen=True)
+class Strip:
+    """Where the timeline is on the screen, pixels, and what it shows, seconds."""
 
-    def x_of(time_s: float) -> float:
-        return low.x + (time_s - first_s) / (last_s - first_s) * (high.x - low.x)
+    left: float
+    top: float
+    right: float
+    bottom: float
+    first_s: float
+    last_s: float
 
-    for bar in bars(level, first_s, last_s):
-        foot = high.y - 2 - bar.lane * (LANE_PX + 1)
-        points = [(x_of(t), foot - LANE_PX * share) for t, share in outline(bar.shot, first_s, last_s)]
-        lit = bar.shot.id == selected
-        ink = theme.packed(theme.WARM, 0.95 if lit else 0.6)
-        corners = [(points[0][0], foot), *points, (points[-1][0], foot)]
-        draw_list.add_convex_poly_filled([imgui.ImVec2(*point) for point in corners], ink)
-        if corners[0][0] <= mouse.x <= corners[-1][0] and foot - LANE_PX - 1 <= mouse.y <= foot + 1:
-            under.append(bar.shot)
-    for key in keys(level, first_s, last_s):
-        x, y, half = x_of(key.time_s), low.y + 6, 4.0
-        corners = [(x - half, y), (x, y - half), (x + half, y), (x, y + half)]
+    def x_of(self, time_s: float) -> float:
+        return self.left + (time_s - self.first_s) / (self.last_s - self.first_s) * (self.right - self.left)
+
+    def foot(self, lane: int) -> float:
+        """Where the bars of a lane stand."""
+        return self.bottom - 2 - lane * (LANE_PX + 1)
+
+
+def under(level: Level, strip: Strip, x: float, y: float) -> list[Placed]:
+    """What the marks at a pixel stand for, the uppermost last."""
+    found: list[Placed] = []
+    for bar in bars(level, strip.first_s, strip.last_s):
+        foot = strip.foot(bar.lane)
+        if strip.x_of(bar.shot.start_s) <= x <= strip.x_of(bar.shot.end_s) and foot - LANE_PX - 1 < y <= foot:
+            found.append(bar.shot)
+    for key in keys(level, strip.first_s, strip.last_s):
+        if abs(strip.x_of(key.time_s) - x) <= KEY_PX and abs(strip.top + KEY_DOWN_PX - y) <= KEY_PX:
+            found.append(key)
+    return found
+
+
+def draw(level: Level, strip: Strip, selected: str) -> None:
+    """Draw all marks into a strip of the window."""
+    draw_list = imgui.get_window_draw_list()
+    for bar in bars(level, strip.first_s, strip.last_s):
+        foot = strip.foot(bar.lane)
+        corners = outline(bar.shot, strip.first_s, strip.last_s)
+        points = [(strip.x_of(time_s), foot - LANE_PX * share) for time_s, share in corners]
+        points = [(points[0][0], foot), *points, (points[-1][0], foot)]
+        ink = theme.packed(theme.WARM, 0.95 if bar.shot.id == selected else 0.6)
+        draw_list.add_convex_poly_filled([imgui.ImVec2(*point) for point in points], ink)
+    for key in keys(level, strip.first_s, strip.last_s):
+        x, y = strip.x_of(key.time_s), strip.top + KEY_DOWN_PX
+        points = [(x - KEY_PX, y), (x, y - KEY_PX), (x + KEY_PX, y), (x, y + KEY_PX)]
         ink = theme.packed(theme.ACCENT_BRIGHT, 1.0 if key.id == selected else 0.8)
-        draw_list.add_convex_poly_filled([imgui.ImVec2(*point) for point in corners], ink)
-        if abs(mouse.x - x) <= half and abs(mouse.y - y) <= half:
-            under.append(key)
-    return under
+        draw_list.add_convex_poly_filled([imgui.ImVec2(*point) for point in points], ink)

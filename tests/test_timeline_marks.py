@@ -5,7 +5,7 @@ from shorewright.app.actions import ACTIONS
 from shorewright.app.editor import Editor
 from shorewright.app.panels.objects_panel import go_to
 from shorewright.app.session import Session
-from shorewright.app.timeline_marks import bars, outline
+from shorewright.app.timeline_marks import Strip, bars, outline, under
 from shorewright.level.objects import Shot
 from test_weather import cloudy
 
@@ -33,6 +33,20 @@ def test_outline_shows_the_fades():
     assert outline(shot("a", 10, 30, 5), 0, 60) == [(10, 0), (15, 1), (25, 1), (30, 0)]
     assert outline(shot("a", 10, 30, 10), 15, 60) == [(15, 0.5), (20, 1), (20, 1), (30, 0)]
     assert outline(shot("a", 10, 30, 0), 0, 20) == [(10, 0), (10, 1), (20, 1)]
+
+
+def test_marks_are_found_where_they_are_drawn(session):
+    """Z20: each in its lane, between its start and its end, and nothing beside them."""
+    for row in (shot("a", 0, 20), shot("b", 10, 30)):
+        session.level.put_object(row.id, row)
+    strip = Strip(100.0, 10.0, 700.0, 34.0, 0.0, 60.0)  # ten pixels a second
+
+    def found(x, y):
+        return [thing.id for thing in under(session.level, strip, x, y)]
+
+    assert found(250.0, 30.0) == ["a"]
+    assert found(250.0, 24.0) == ["b"]
+    assert found(350.0, 30.0) == found(150.0, 24.0) == found(250.0, 14.0) == []
 
 
 def test_actions_make_shots_and_take_them_back(session):
