@@ -51,6 +51,9 @@ class Clouds(Section):
     backward: float = param(0.2, 0, 0.9, "", "Asymmetry of the broad lobe.")
     silver: float = param(0.35, 0, 1, "", "Share of light in the forward lobe.")
     spread: float = param(0.5, 0, 1, "", "How much light scattered many times gets deep into a cloud.")
+    many: float = param(
+        1.0, 0, 3, "×", "Light scattered many times: how white thick clouds are in the sun.", soft=(0, 2)
+    )
     powder: float = param(0.7, 0, 1, "", "How dark edges are seen from the sun's side.")
     rain_absorption: float = param(0.35, 0, 1, "", "Share of light that rain clouds swallow.")
     ambient: float = param(1.0, 0, 4, "×", "Light from the sky and the ground.", soft=(0, 2))

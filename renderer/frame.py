@@ -41,6 +41,7 @@ OFF = {
     "plate.glsl": {"caustics.on": "NO_CAUSTICS"},
 }  # fmt: skip
 WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl")  # read patches.glsl
+IN_THE_SUN = ("sea.glsl", "light.glsl", "view.glsl")  # ask sun_visibility
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
 PASSES: tuple[Pass, ...] = (
@@ -51,6 +52,8 @@ PASSES: tuple[Pass, ...] = (
          "Height of the land's shadow, kept while nothing changes."),
     Pass("prop_shadow", ("prop_shadow.glsl", "copy_depth.glsl"), (), ("u_prop_shadow",),
          "Heights up to which things shade, kept while nothing changes.", "L03 D12"),
+    Pass("cloud_shadow", ("cloud_shadow.glsl",), ("u_weather",), ("u_cloud_shadow",),
+         "How much of the sun comes through the clouds, round the camera.", "Z19"),
     Pass("openness", ("openness.glsl",), ("u_height",), ("u_openness",),
          "Open sky over the land, kept likewise.", "L02 L03"),
     Pass("force", (), (), ("u_force",), "Water pushed about by what moves in it, stepped on the CPU.", "D18"),
@@ -105,6 +108,7 @@ class Frame:
     targets: object
     textures: dict
     uniforms: dict = field(default_factory=dict)
+    defines: dict = field(default_factory=dict)  # of programs that read the sun's visibility
     stats: dict = field(default_factory=dict)
 
     @property
@@ -124,6 +128,8 @@ class Frame:
 
         if name in WITH_WAVES and overrides(self.level):
             defines["PATCHED"] = ""
+        if name in IN_THE_SUN:
+            defines |= self.defines
         defines |= {off: "" for path, off in OFF.get(name, {}).items() if not get(self.level.settings, path)}
         shader = self.renderer.programs.get(name, **defines)
         set_uniforms(shader.program, self.uniforms)
@@ -195,6 +201,7 @@ class Renderer:
         overlays: Overlays | None, samples: int = 1, index: int = 0, scale: float = 1.0,
     ) -> Frame:  # fmt: skip
         """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
+        from .overcast import overcast
         from .uniforms import frame_uniforms
 
         show, row = show or Show(), tier(quality)
@@ -203,7 +210,7 @@ class Renderer:
         self.uploader.sync(level)
         self.uploader.table(shown)
         self.generated.update(row)
-        self.sky.update(shown)
+        self.sky.update(shown, overcast(shown, time_s, (camera.x, camera.y), "clouds" in show and "sky" in show))
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
         matrices = camera_matrices(camera, size, self._near(level, camera), tuple(offset))

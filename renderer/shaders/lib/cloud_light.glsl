@@ -4,7 +4,7 @@
 
 uniform vec3 u_cloud_sun, u_cloud_above, u_cloud_below;  // sun klx; light from the sky and the ground
 uniform float u_clouds_forward, u_clouds_backward, u_clouds_silver, u_clouds_spread, u_clouds_powder;
-uniform float u_clouds_rain_absorption, u_clouds_ambient;
+uniform float u_clouds_rain_absorption, u_clouds_ambient, u_clouds_many;
 uniform bool u_cloud_terms_cone, u_cloud_terms_far, u_cloud_terms_beer, u_cloud_terms_phase, u_cloud_terms_powder;
 uniform bool u_cloud_terms_rain, u_cloud_terms_ambient;
 
@@ -33,6 +33,9 @@ float cloud_beer(float depth) {
     if (!u_cloud_terms_beer) return 1.0;
     return max(exp(-depth), u_clouds_spread * exp(-0.25 * depth));
 }
+
+// Light scattered many times, which comes from all sides alike and gets far deeper: a thick cloud in the sun is white.
+float cloud_many(float depth) { return u_clouds_many * 0.14 * exp(-0.06 * depth); }
 
 // The powder effect, only where the view goes the way of the light (Z10): 2 (1 − exp(−2 d)) there, 1 towards the sun.
 float cloud_powder(float depth, float cosine) {
@@ -77,7 +80,7 @@ float cloud_albedo(float precipitation) {
 vec3 cloud_source(vec3 p, float altitude, float h, float precipitation, float cosine, float phase, float lod, bool cheap) {
     float swallowed = u_cloud_terms_rain ? 1.0 + 2.0 * u_clouds_rain_absorption * precipitation : 1.0;
     float depth = cloud_sun_depth(p, altitude, lod, cheap) * swallowed;
-    vec3 light = u_cloud_sun * (cloud_beer(depth) * cloud_powder(depth, cosine) * phase);
+    vec3 light = u_cloud_sun * (cloud_beer(depth) * cloud_powder(depth, cosine) * phase + cloud_many(depth));
     if (u_cloud_terms_ambient) {
         float above = clamp(h * 1.4 - 0.1, 0.0, 1.0);
         vec3 dark = mix(vec3(1.0), vec3(1.0 - 0.75 * u_clouds_rain_absorption), precipitation * float(u_cloud_terms_rain));
