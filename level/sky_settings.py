@@ -124,6 +124,18 @@ class Weather(Section):
     rain_mm_h: float = param(14.0, 0, 200, "mm/h", "How much falls where precipitation is 1.", soft=(0, 60))
 
 
+class Rain(Section):
+    """How rain and snow are drawn (Z18, Z24)."""
+
+    shafts: float = param(1.0, 0, 4, "×", "How thick the curtains under rainy clouds are.", soft=(0, 2))
+    streaks: float = param(1.0, 0, 4, "×", "How many drops and flakes are seen near the camera.", soft=(0, 2))
+    fall_mps: float = param(8.0, 1, 20, "m/s", "How fast drops fall.", soft=(6, 10))
+    flake_mps: float = param(1.2, 0.1, 5, "m/s", "How fast flakes fall.", soft=(0.8, 2))
+    shutter_s: float = param(0.03, 0.002, 0.2, "s", "How long a drop leaves its trace.", soft=(0.01, 0.06))
+    drop_m: float = param(0.0025, 0.0005, 0.02, "m", "How thick a drop's trace is.", soft=(0.001, 0.005))
+    flake_m: float = param(0.014, 0.002, 0.1, "m", "How big flakes are.", soft=(0.005, 0.03))
+
+
 class Storm(Section):
     """A storm on demand: it forms upwind and comes with the wind (Z23)."""
 

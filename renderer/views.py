@@ -101,6 +101,8 @@ VIEWS: dict[str, View] = {
              "vec3(prop_visibility(position))", ids="L03"),
         View("cloud_shadow", "Shadow of clouds", "White where the sun comes through the clouds.",
              "vec3(mix(0.1 * s.open, 1.0, cloud_visibility(position)))", ids="Z19", settings=(("clouds.on", True),)),
+        View("rain", "Rain", "How much falls at each place, 30 mm/h to white; land in dark grey.",
+             "vec3(0.06 * on_land + rain_rate(position.xy) / 30.0)", ids="Z18 Z24", settings=(("clouds.on", True),)),
         View("scatter", "Scatter", "Kinds of scattered things in colours, on ground in grey.",
              "s.material == LAND && s.emissive != vec3(0.0) ? s.emissive"
              " : vec3(0.12 * s.open + 0.1 * sun_visibility(position))",

@@ -114,3 +114,22 @@ def test_clouds_of_white_light_cannot_be_seen(renderer):
     light = np.frombuffer(image.read(alignment=1), np.float16).reshape(-1, 4).astype(np.float64)
     assert light[:, 3].min() < 0.1
     assert np.abs(light[:, :3] + light[:, 3:] - 1.0).max() < 1 / 255
+
+
+def test_a_calm_sea_mirrors_clouds(renderer):
+    """Z17, L02: what the dome holds in a direction, the mirror lobe shows there."""
+    level = clouded(("weather.coverage", 0.6), ("fog.on", False), ("clouds.cirrus", 0.0), ("clouds.alto", 0.0))
+    renderer.draw(level, camera(), SIZE, quality="low")
+    atlas, dome = renderer.kept["lobes"].texture, renderer.kept["cloud_dome"]
+    clouds = np.frombuffer(dome.texture.read(alignment=1), np.float16).reshape(dome.side, dome.side, 4)
+    assert clouds[..., 3].min() < 0.1 < 0.9 < clouds[..., 3].max()
+    with_clouds = atlas.read(alignment=1)
+    up = np.frombuffer(with_clouds, np.float16).reshape(*atlas.size[::-1], 4)[95:97, 95:97, :3].mean((0, 1))
+    middle = slice(dome.side // 2 - 1, dome.side // 2 + 1)
+    overhead = clouds[middle, middle].astype(np.float64).mean((0, 1))
+    clear = renderer.sky.light.table[-1].mean(0)
+    np.testing.assert_allclose(up, clear * overhead[3] + overhead[:3], rtol=0.1)
+    renderer.draw(level, camera(), SIZE, quality="low", show=Show.hide("clouds"))
+    assert atlas.read(alignment=1) != with_clouds
+    renderer.draw(level, camera(), SIZE, quality="low")
+    assert atlas.read(alignment=1) == with_clouds

@@ -143,6 +143,7 @@ def test_views_compile_with_at_most_16_samplers(ctx):
         if view.value:
             defines = {"LAYER": ""} if view.layer else {"WALKABLE": ""} if view.name == "walkable" else {}
             defines |= {"SHORE_FIELD": ""} if "shore_field" in view.value else {}
+            defines |= {"RAIN": ""} if "rain_rate" in view.value else {}
             defines |= {"PATCHES": ""} if "patch_colour" in view.value else {}
             assert len(programs.get("view.glsl", VIEW_VALUE=view.value, **defines).samplers) <= MOST_SAMPLERS
     programs.release()

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..frame import Frame
 from ..uniforms import set_uniforms
+from .clouds import shown
 
 SIZES = (192, 64, 32, 32, 16, 16)  # lib/lobes.glsl has the same
 GROUND_ALBEDO = 0.13  # of what lies below the horizon: half sea, half land
@@ -33,10 +34,11 @@ def draw(frame: Frame) -> None:
     kept, sky = frame.renderer.kept, frame.renderer.sky
     lobes = kept.get("lobes") or kept.setdefault("lobes", Lobes(frame.renderer.ctx))
     cirrus = float("clouds" in frame.show and not sky.light.even)
-    shader = frame.shader("lobes.glsl")
+    dome = kept["cloud_dome"].key if shown(frame) else None
+    shader = frame.shader("lobes.glsl", **({"CLOUDS": ""} if dome else {}))
     fog = frame.uniforms["u_fog_density"], frame.uniforms["u_fog_height_m"]
     sun = tuple(float(v) for v in frame.uniforms["u_sun_direction"])
-    key = sky.light, sun, cirrus, fog, frame.textures["u_noise"], shader.generation
+    key = sky.light, sun, cirrus, fog, frame.textures["u_noise"], dome, shader.generation
     if lobes.key != key:
         _make(frame, lobes, shader, cirrus)
         lobes.key = key

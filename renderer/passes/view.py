@@ -31,6 +31,8 @@ def bind_view(frame: Frame, view: View) -> dict[str, str]:
         defines["SHORE_FIELD"] = ""
         frame.textures["u_shore_field"] = uploader.shore_field(frame.level)
         frame.uniforms |= shore_field_uniforms(frame.level)
+    if "rain_rate" in view.value:
+        defines["RAIN"] = ""
     if "patch_colour" in view.value:
         defines["PATCHES"] = ""
         frame.textures["u_patch_kinds"], frame.uniforms["u_patch_first"] = uploader.patch_kinds(frame.level)

@@ -7,14 +7,14 @@ void main() { fullscreen_triangle(); }
 
 #ifdef FRAGMENT
 #include "lib/cloud_light.glsl"
-uniform vec4 u_cloud_shadow_place;  // its middle east and north, half its side m, how dark shadows are
+uniform float u_shadow_reach_m;     // half the map's side
 uniform vec2 u_cloud_shadow_slant;  // metres towards the sun a metre up
 uniform int u_shadow_steps;
 uniform float u_shadow_sine, u_shadow_texels;  // of the sun; texels a side
 out float out_through;
 
 void main() {
-    float texel = 2.0 * u_cloud_shadow_place.z / u_shadow_texels;
+    float texel = 2.0 * u_shadow_reach_m / u_shadow_texels;
     vec2 foot = (gl_FragCoord.xy - 0.5 * u_shadow_texels) * texel;
     float rise = (u_clouds_top_m - u_clouds_base_m) / float(u_shadow_steps), depth = 0.0;
     float lod = clamp(log2(texel / (u_clouds_scale_m / 128.0)), 0.0, 2.5);
