@@ -9,7 +9,7 @@ const int CYLINDERS = 4;
 const float CYLINDER_M[4] = float[4](2.0, 5.0, 11.0, 24.0);
 const float RAIN_ROWS = 64.0, FULL_MM_H = 30.0, TURN = 6.28318530718;
 // passes/rain.py has the same: metres of a row a metre of distance
-const float DROP_ROW = 0.30, FLAKE_ROW = 0.075;
+const float DROP_ROW = 0.30, FLAKE_ROW = 0.05;
 
 vec3 rain_hash(ivec3 cell) {
     uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
@@ -44,13 +44,13 @@ float across_wind(vec3 dir) {
 
 float drop_trace(vec3 dir, int layer, float pixel_m, float share) {
     float away = CYLINDER_M[layer], row_m = DROP_ROW * away + 0.6;
-    Place p = rain_place(dir, layer, vec2(0.035 * away, row_m), u_rain_fallen[layer], across_wind(dir) / u_rain_fall_mps);
+    Place p = rain_place(dir, layer, vec2(0.018 * away, row_m), u_rain_fallen[layer], across_wind(dir) / u_rain_fall_mps);
     if (p.chance.x > share) return 0.0;
     float long_m = min(u_rain_fall_mps * u_rain_shutter_s * (0.6 + 0.8 * p.chance.z), 0.9 * p.side_m.y);
     float width = max(u_rain_drop_m, 0.7 * pixel_m);
     float x = (p.at.x - 0.2 - 0.6 * p.chance.y) * p.side_m.x, y = (p.at.y - 0.5) * p.side_m.y;
     float ends = 1.0 - smoothstep(0.25 * long_m, 0.5 * long_m, abs(y));
-    return min(u_rain_drop_m / width, 1.0) * exp(-x * x / (width * width)) * ends * 0.5;
+    return min(u_rain_drop_m / width, 1.0) * exp(-x * x / (width * width)) * ends * 0.6;
 }
 
 float flake_spot(vec3 dir, int layer, float pixel_m, float share) {
