@@ -60,7 +60,9 @@ def frame_uniforms(frame) -> dict:
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
         **ring_uniforms(level, frame.time_s, matrices.position),
         **_sea_shape(level.settings),
-        **({"u_light_cloud_cover": 0.0} if level.settings.clouds.on else {}),  # they stand there by themselves
+        **(
+            {"u_light_cloud_cover": 0.0, "u_cirrus": 0.0} if level.settings.clouds.on else {}
+        ),  # they stand there by themselves
     }
 
 

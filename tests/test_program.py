@@ -20,6 +20,7 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "CO
                            {"SEA_ALONE": "", "REFLECTIONS": "", "QUIET": "", "CLOUD_SHADOW": ""}),
             "lamps.glsl": ({}, {"UNDER": ""}), "props.glsl": ({}, {"MARK": ""}), "prop_shadow.glsl": ({}, {"PROP": ""}),
             "plate.glsl": ({"DOWN": ""}, {"ALONG": ""}, {"ACROSS": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
+            "sky.glsl": ({}, {"HIGH_CLOUDS": ""}), "lobes.glsl": ({}, {"CLOUDS": "", "HIGH_CLOUDS": ""}),
             "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)
@@ -143,6 +144,7 @@ def test_views_compile_with_at_most_16_samplers(ctx):
         if view.value:
             defines = {"LAYER": ""} if view.layer else {"WALKABLE": ""} if view.name == "walkable" else {}
             defines |= {"SHORE_FIELD": ""} if "shore_field" in view.value else {}
+            defines |= {"HIGH_CLOUDS": ""} if "cirrus_at" in view.value or "alto_at" in view.value else {}
             defines |= {"RAIN": ""} if "rain_rate" in view.value else {}
             defines |= {"PATCHES": ""} if "patch_colour" in view.value else {}
             assert len(programs.get("view.glsl", VIEW_VALUE=view.value, **defines).samplers) <= MOST_SAMPLERS

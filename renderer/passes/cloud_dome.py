@@ -51,7 +51,8 @@ def at_whole(frame: Frame, every_s: float, every_m: float) -> Frame:
     position[:2] = np.round(position[:2] / every_m) * every_m
     return dataclasses.replace(
         frame, time_s=math.floor(frame.time_s / every_s) * every_s, textures=dict(frame.textures),
-        uniforms=dict(frame.uniforms), matrices=dataclasses.replace(frame.matrices, position=position),
+        uniforms={**frame.uniforms, "u_camera": tuple(position)},
+        matrices=dataclasses.replace(frame.matrices, position=position),
     )  # fmt: skip
 
 

@@ -10,6 +10,9 @@ void main() { fullscreen_triangle(); }
 
 #ifdef FRAGMENT
 #include "lib/fog.glsl"
+#ifdef HIGH_CLOUDS
+#include "lib/high_light.glsl"
+#endif
 #ifdef CLOUDS
 #include "lib/cloud_dome.glsl"
 uniform sampler2D u_cloud_dome;
@@ -22,6 +25,9 @@ const int DIRECTIONS = 48;
 
 vec3 world(vec3 dir) {
     vec3 up = sky_seen(vec3(dir.xy, max(dir.z, 0.0)), u_cirrus);
+#ifdef HIGH_CLOUDS
+    up = high_layers(up, vec3(dir.xy, max(dir.z, 0.0)), u_camera.xy, 1.0, 0.02);
+#endif
     up = fog_over_sky(up, dir, 1.0);
 #ifdef CLOUDS
     vec4 clouds = textureLod(u_cloud_dome, dome_place(dir), 0.0);

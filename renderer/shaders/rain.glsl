@@ -16,7 +16,7 @@ uniform vec2 u_rain_drift;     // metres that the curtains' folds have moved
 uniform vec2 u_rain_trail;     // metres that rain is behind its cloud, a metre below the base
 out vec4 out_radiance;         // blended: light + transmittance × what is there
 
-const int SHAFT_STEPS = 20;
+const int SHAFT_STEPS = 14;
 const float SHAFT_REACH_M = 34000.0, FOLD_M = 5200.0, SNOW_THICK = 3.0;
 
 // Extinction 1/m at a place: 0.21 km⁻¹ R^0.68 (Atlas 1953), folded by what the cloud sheds more and less of.
