@@ -14,7 +14,7 @@ from .clouds import shown
 CYLINDERS_M = np.array([2.0, 5.0, 11.0, 24.0])  # lib/rain_near.glsl has the same
 ROWS = 64
 DROP_ROWS_M, FLAKE_ROWS_M = 0.30 * CYLINDERS_M + 0.6, 0.05 * CYLINDERS_M + 0.03
-FOLDS_M = 5200.0
+FOLDS_M = 7800.0
 SWIRL_S = 7.0
 AT_GROUND = 0.35  # of the clouds' wind
 SHEARED = 0.5  # how far rain stays behind its cloud, of what the wind goes while it falls

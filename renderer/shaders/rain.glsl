@@ -17,18 +17,19 @@ uniform vec2 u_rain_trail;     // metres that rain is behind its cloud, a metre 
 out vec4 out_radiance;         // blended: light + transmittance × what is there
 
 const int SHAFT_STEPS = 14;
-const float SHAFT_REACH_M = 34000.0, FOLD_M = 5200.0, SNOW_THICK = 3.0;
+const float SHAFT_REACH_M = 34000.0, FOLD_M = 7800.0, SNOW_THICK = 3.0;
 
-// Extinction 1/m at a place: 0.21 km⁻¹ R^0.68 (Atlas 1953), folded by what the cloud sheds more and less of.
-float shaft_extinction(vec2 xy, float height) {
+// Extinction 1/m about a place, over a step: 0.21 km⁻¹ R^0.68 (Atlas 1953), folded by what the cloud sheds more and less of.
+float shaft_extinction(vec2 xy, float height, float step_m) {
     vec2 source = xy - u_rain_trail * (u_clouds_base_m - height);
     float rate = rain_rate(source);
     if (rate <= 0.0) return 0.0;
     vec2 at = (source - u_rain_drift) / FOLD_M;
-    float fold = textureLod(u_noise, at, 1.0).r + 0.6 * textureLod(u_noise, at * 3.7, 1.5).g;
-    fold = smoothstep(0.45, 1.15, fold);
+    float lod = clamp(log2(step_m / 240.0), 0.0, 3.0);  // folds finer than the steps would only be noise
+    float fold = textureLod(u_noise, at, 1.0 + lod).r + 0.6 * textureLod(u_noise, at * 3.7, 1.5 + 1.5 * lod).g;
+    fold = smoothstep(0.6, 1.0, fold);
     float under = 1.0 - smoothstep(0.92, 1.08, height / u_clouds_base_m);
-    return 0.00021 * pow(rate, 0.68) * mix(0.25, 1.9, fold) * under * mix(1.0, SNOW_THICK, snow_share(height));
+    return 0.00021 * pow(rate, 0.68) * mix(0.12, 2.0, fold) * under * mix(1.0, SNOW_THICK, snow_share(height));
 }
 
 // Light of the curtains up to a distance: premultiplied, transmittance.
@@ -45,8 +46,9 @@ vec4 shafts(vec3 dir, float eye, float away_m, float start) {
         // steps grow with the distance
         float a = float(i) / float(SHAFT_STEPS), b = float(i + 1) / float(SHAFT_STEPS), mid = mix(a, b, start);
         float t = from + length_m * mid * mid;
-        float part = exp(-u_rain_shafts * shaft_extinction(u_camera.xy + dir.xy * t, eye + dir.z * t)
-                         * length_m * (b * b - a * a));
+        float step_m = length_m * (b * b - a * a);
+        float depth = shaft_extinction(u_camera.xy + dir.xy * t, eye + dir.z * t, step_m) * step_m;
+        float part = exp(-u_rain_shafts * depth);
         weight += through * (1.0 - part);
         mean_m += through * (1.0 - part) * t;
         through *= part;
@@ -54,8 +56,8 @@ vec4 shafts(vec3 dir, float eye, float away_m, float start) {
     if (weight <= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
     mean_m /= weight;
     float cosine = dot(dir, u_sun_direction);
-    vec3 light = 0.42 * (sky_irradiance(vec3(0.0, 0.0, 1.0)) + sky_irradiance(vec3(0.0, 0.0, -1.0))) / PI_SKY;
-    light += u_sun_mean * (0.05 + 0.30 * pow(max(cosine, 0.0), 12.0));
+    vec3 light = 0.30 * (sky_irradiance(vec3(0.0, 0.0, 1.0)) + sky_irradiance(vec3(0.0, 0.0, -1.0))) / PI_SKY;
+    light += u_sun_mean * (0.03 + 0.30 * pow(max(cosine, 0.0), 12.0));
     light = fog(light, dir, eye, eye + dir.z * mean_m, mean_m);
     return vec4(light * weight, through);
 }
