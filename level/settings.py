@@ -6,7 +6,7 @@ from typing import Literal
 
 from .params import Section, param
 from .sea_settings import Caustics, Flow, Foam, Force, Glare, Quiet, Things
-from .sky_settings import Clouds, CloudTerms, Storm, Weather
+from .sky_settings import Clouds, CloudTerms, Rain, Storm, Weather
 
 
 class WaterLevel(Section):
@@ -245,6 +245,7 @@ class Settings(Section):
     fog: Fog = Fog()
     clouds: Clouds = Clouds()
     cloud_terms: CloudTerms = CloudTerms()
+    rain: Rain = Rain()
     weather: Weather = Weather()
     storm: Storm = Storm()
     ground: Ground = Ground()

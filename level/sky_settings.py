@@ -51,11 +51,11 @@ class Clouds(Section):
     forward: float = param(0.8, 0, 0.99, "", "Asymmetry of the bright forward lobe: the silver lining.")
     backward: float = param(0.2, 0, 0.9, "", "Asymmetry of the broad lobe.")
     silver: float = param(0.35, 0, 1, "", "Share of light in the forward lobe.")
-    spread: float = param(0.5, 0, 1, "", "How much light scattered many times gets deep into a cloud.")
+    spread: float = param(0.5, 0, 1, "", "Light scattered many times: how white thick clouds are in the sun.")
     powder: float = param(0.7, 0, 1, "", "How dark edges are seen from the sun's side.")
     rain_absorption: float = param(0.35, 0, 1, "", "Share of light that rain clouds swallow.")
     ambient: float = param(1.0, 0, 4, "×", "Light from the sky and the ground.", soft=(0, 2))
-    shadows: float = param(1.0, 0, 1, "", "How dark the shadows of clouds are on land and sea.")
+    shadows: float = param(0.85, 0, 1, "", "How dark the shadows of clouds are on land and sea.")
     cirrus: float = param(0.35, 0, 1, "", "Cover of the high veils of ice.")
     alto: float = param(0.15, 0, 1, "", "Cover of the small high heaps.")
     high_m: float = param(7500.0, 1000, 20_000, "m", "Height of those layers.", soft=(4000, 12_000))
@@ -120,6 +120,18 @@ class Weather(Section):
     temperature_c: float = param(14.0, -40, 45, "°C", "Temperature at sea level; 6.5 °C less each kilometre up.")
     snow_below_c: float = param(1.0, -20, 10, "°C", "Under this it snows instead of raining.")
     rain_mm_h: float = param(14.0, 0, 200, "mm/h", "How much falls where precipitation is 1.", soft=(0, 60))
+
+
+class Rain(Section):
+    """How rain and snow are drawn (Z18, Z24)."""
+
+    shafts: float = param(1.0, 0, 4, "×", "How thick the curtains under rainy clouds are.", soft=(0, 2))
+    streaks: float = param(1.0, 0, 4, "×", "How many drops and flakes are seen near the camera.", soft=(0, 2))
+    fall_mps: float = param(8.0, 1, 20, "m/s", "How fast drops fall.", soft=(6, 10))
+    flake_mps: float = param(1.2, 0.1, 5, "m/s", "How fast flakes fall.", soft=(0.8, 2))
+    shutter_s: float = param(0.03, 0.002, 0.2, "s", "How long a drop leaves its trace.", soft=(0.01, 0.06))
+    drop_m: float = param(0.0025, 0.0005, 0.02, "m", "How thick a drop's trace is.", soft=(0.001, 0.005))
+    flake_m: float = param(0.014, 0.002, 0.1, "m", "How big flakes are.", soft=(0.005, 0.03))
 
 
 class Storm(Section):

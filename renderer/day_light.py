@@ -21,13 +21,13 @@ LOW_DEG, LOW_STEP_DEG, STEP_DEG = 3.0, 0.25, 0.5  # about the horizon light chan
 MOON_WHOLE_DEG = -6.0  # elevation of the sun at which the moon has come up to its own light
 NIGHT_LUX = 1.0, 0.05  # light of late dusk and of a low full moon, between which colours turn to those of night
 NIGHT_WHITE = 0.78  # of the temperature that shows as white by day
-SCALED = ("sun", "disc", "table", "deck", "harmonics", "aerial", "fog")  # what is times `unit`
+SCALED = ("sun", "disc", "table", "deck", "harmonics", "aerial", "fog", "mean_sun", "above")  # what is times `unit`
 ODD = (3, 7)  # harmonics that change sign with the azimuth
 
 
 @lru_cache(maxsize=4)
 def day_light(elevation_deg: float, sky: tuple, moonlit: bool) -> SkyLight:
-    """Light under a sun at an elevation; `sky` is turbidity, body, cover and depth of cloud, depth of fog."""
+    """Light under a sun at an elevation; `sky` is all else that `made` takes."""
     light = _between(elevation_deg, sky)
     if not moonlit or sky[1] != "sun" or elevation_deg >= MOON_BELOW_DEG:
         return light

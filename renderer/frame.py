@@ -42,16 +42,22 @@ OFF = {
     "plate.glsl": {"caustics.on": "NO_CAUSTICS"},
 }  # fmt: skip
 WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl")  # read patches.glsl
+IN_THE_SUN = ("sea.glsl", "light.glsl", "view.glsl")  # ask sun_visibility
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
 PASSES: tuple[Pass, ...] = (
     Pass("weather", ("weather.glsl",), ("u_layer_weather",), ("u_weather",), "The weather map round the camera.",
          "Z04 Z05 Z06"),
-    Pass("lobes", ("lobes.glsl",), ("u_sky",), ("u_lobes",), "The sky as things mirror it, kept.", "L02"),
+    Pass("cloud_dome", ("cloud_dome.glsl",), ("u_weather", "u_aerial"), ("u_cloud_dome",),
+         "Clouds all round, as the sea mirrors them, kept for a while.", "Z17"),
+    Pass("lobes", ("lobes.glsl",), ("u_sky", "u_cloud_dome"), ("u_lobes",),
+         "The sky as things mirror it, kept.", "L02"),
     Pass("shadow", ("shadow.glsl",), ("u_height",), ("u_shadow",),
          "Height of the land's shadow, kept while nothing changes."),
     Pass("prop_shadow", ("prop_shadow.glsl", "copy_depth.glsl"), (), ("u_prop_shadow",),
          "Heights up to which things shade, kept while nothing changes.", "L03 D12"),
+    Pass("cloud_shadow", ("cloud_shadow.glsl",), ("u_weather",), ("u_cloud_shadow",),
+         "How much of the sun comes through the clouds, round the camera.", "Z19"),
     Pass("openness", ("openness.glsl",), ("u_height",), ("u_openness",),
          "Open sky over the land, kept likewise.", "L02 L03"),
     Pass("force", (), (), ("u_force",), "Water pushed about by what moves in it, stepped on the CPU.", "D18"),
@@ -77,6 +83,8 @@ PASSES: tuple[Pass, ...] = (
     Pass("clouds", ("clouds.glsl", "cloud_resolve.glsl", "cloud_composite.glsl"),
          ("u_weather", "g_eye_depth", "u_aerial"), ("picture",),
          "Clouds in volume over sky and land.", "Z02 Z12 Z14 Z15 Z16 Z17"),
+    Pass("rain", ("rain.glsl",), ("u_weather", "g_eye_depth", "u_clouds"), ("picture",),
+         "Rain and snow, far and near.", "Z18 Z24"),
     Pass("view", ("view.glsl", "cloud_view.glsl"), (*GBUFFER, "hdr", "u_clouds"), ("picture",),
          "Instead of it: a buffer or a mask.", "T11"),
     Pass("display", ("display.glsl",), ("picture",), ("shown", "display"), "Exposure, curve, sRGB, dither.", once=True),
@@ -111,6 +119,7 @@ class Frame:
     index: int = 0  # which of the samples
     live: bool = False  # one of many pictures: what is dear may be made a part at a time
     uniforms: dict = field(default_factory=dict)
+    defines: dict = field(default_factory=dict)  # of programs that read the sun's visibility
     stats: dict = field(default_factory=dict)
 
     @property
@@ -130,6 +139,8 @@ class Frame:
 
         if name in WITH_WAVES and overrides(self.level):
             defines["PATCHED"] = ""
+        if name in IN_THE_SUN:
+            defines |= self.defines
         defines |= {off: "" for path, off in OFF.get(name, {}).items() if not get(self.level.settings, path)}
         shader = self.renderer.programs.get(name, **defines)
         set_uniforms(shader.program, self.uniforms)
@@ -203,6 +214,7 @@ class Renderer:
         overlays: Overlays | None, samples: int = 1, index: int = 0, scale: float = 1.0,
     ) -> Frame:  # fmt: skip
         """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
+        from .overcast import overcast
         from .uniforms import frame_uniforms
 
         show, row = show or Show(), tier(quality)
@@ -211,7 +223,8 @@ class Renderer:
         self.uploader.sync(level)
         self.uploader.table(shown)
         self.generated.update(row)
-        self.sky.update(shown, time_s)
+        over = overcast(shown, time_s, (camera.x, camera.y), "clouds" in show and "sky" in show)
+        self.sky.update(shown, time_s, over)
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
         matrices = camera_matrices(camera, size, self._near(level, camera), tuple(offset))

@@ -12,7 +12,7 @@ from ..level.settings import Sea
 from ..level.sun import light_angles
 from ..level.water_optics import absorption, backscatter
 from .day_light import exposure_ev, white_k
-from .sky_light import sky_light
+from .sky_light import SkyLight, sky_light
 
 DISPLAYS = ("agx", "aces", "neutral", "raw")
 GRAVITY = 9.81
@@ -55,6 +55,7 @@ def _sky(sky) -> dict:
     """Uniform vectors of a SkyLight, by name without `u_`."""
     return {
         "sun_illuminance": sky.sun,
+        "sun_mean": sky.mean_sun,
         "sun_disc": sky.disc,
         "sky_sh": sky.harmonics,
         "deck": sky.deck,
@@ -147,14 +148,15 @@ def _whitecaps(settings: Settings, time_s: float) -> dict:
     }
 
 
-def look_uniforms(settings: Settings, time_s: float) -> dict[str, float | np.ndarray]:
+def look_uniforms(settings: Settings, time_s: float, sky: SkyLight | None = None) -> dict[str, float | np.ndarray]:
     """Every `u_…` of `shaders/lib/*.glsl` but samplers, at `time_s` seconds."""
     light, fog, water, ground = (getattr(settings, name) for name in ("light", "fog", "water", "ground"))
-    sky = sky_light(settings, time_s)
+    sky = sky or sky_light(settings, time_s)
     return {
         "u_sun_direction": sun_direction(*light_angles(light, time_s)).astype(np.float32),
         **{f"u_{name}": value.astype(np.float32) for name, value in _sky(sky).items()},
         "u_fog_share": sky.fog_share,
+        "u_sky_cover": sky.cover,
         "u_cirrus": float(not sky.even),
         "u_star_light": STAR_LIGHT * sky.unit if sky.unit > 1 else 0.0,
         "u_exposure": exposure_scale(exposure_ev(settings, time_s)) / sky.unit,

@@ -15,6 +15,7 @@ import numpy as np
 from ..level import Settings
 from ..level.sun import day_runs, sun_place
 from .air import GROUND_ALBEDO, air_extinction
+from .overcast import Overcast
 from .sky_table import AERIAL, AERIAL_FIRST_KM, AERIAL_RATIO, COLUMNS, ROWS, aerial_table, sky_table, sun_illuminance
 
 # Full moon over sun: 0.27 lx against 128 klx (Krisciunas & Schaefer 1991, V = −12.7 against −26.7)
@@ -48,21 +49,25 @@ class SkyLight:
     fog: np.ndarray
     fog_share: float
     even: bool = False
+    mean_sun: np.ndarray | None = None  # the sun's light on the whole land, the shadows of clouds counted in
+    above: np.ndarray | None = None  # the clear sky's mean radiance
+    cover: float = 0.0  # of the sky by clouds
 
     def on_level(self, sine: float) -> np.ndarray:
         """Irradiance on a level plane under a sun whose elevation has this sine, `(3,)` klx times `unit`."""
         c = self.harmonics
-        return c[0] * 0.282095 + c[2] * 0.488603 + c[6] * 0.630784 + self.sun * sine
+        return c[0] * 0.282095 + c[2] * 0.488603 + c[6] * 0.630784 + self.mean_sun * sine
 
 
-def sky_light(settings: Settings, time_s: float = 0.0) -> SkyLight:
-    """The light of a level at a time; kept for what it was last asked for."""
+def sky_light(settings: Settings, time_s: float = 0.0, overcast: Overcast | None = None) -> SkyLight:
+    """The light of a level at a time; kept for what it was last asked for. `overcast`: clouds in volume hang there."""
     light, fog = settings.light, settings.fog
     if light.body == "even":
         return _even()
     depth = fog.density * fog.height_m if fog.on else 0.0
     elevation = round(sun_place(light, time_s)[1], 4)
-    sky = light.turbidity, light.body, light.cloud_cover, light.cloud_depth, min(depth, 50.0)
+    cover, deep = overcast or (light.cloud_cover, light.cloud_depth)
+    sky = light.turbidity, light.body, cover, deep, min(depth, 50.0), overcast is not None
     if day_runs(light):
         from .day_light import day_light
 
@@ -71,8 +76,10 @@ def sky_light(settings: Settings, time_s: float = 0.0) -> SkyLight:
 
 
 @lru_cache(maxsize=8)
-def made(elevation: float, turbidity: float, body: str, cover: float, depth: float, fog_depth: float) -> SkyLight:
-    """The light under a sun, or moon, at an elevation in degrees."""
+def made(
+    elevation: float, turbidity: float, body: str, cover: float, depth: float, fog_depth: float, volume: bool = False
+) -> SkyLight:
+    """The light under a sun, or moon, at an elevation in degrees; `volume`: its clouds throw shadows by themselves."""
     scale = np.ones(3) if body == "sun" else MOON
     clear = sky_table(elevation, turbidity) * scale + NIGHT
     bare = sun_illuminance(elevation, turbidity) * scale
@@ -90,6 +97,7 @@ def made(elevation: float, turbidity: float, body: str, cover: float, depth: flo
     share = 1 - math.exp(-3 * fog_depth)  # seen along the ground a layer is far deeper than it is high
     fog = FOG_ALBEDO * 0.55 * down / np.pi  # half from above, half from the ground's share of it
     sun = sun * fog_sun
+    shone = bare * fog_sun if volume else sun  # their shadows fall on each place by themselves (Z19)
     dim = math.exp(-fog_depth)
     mean = mean * dim + (lit - sun * sine - up_irradiance(mean) * dim).clip(0) / np.pi
     reference = max(float(bare @ LUMINANCE), float(up_irradiance(mean) @ LUMINANCE), 1e-9)
@@ -98,8 +106,9 @@ def made(elevation: float, turbidity: float, body: str, cover: float, depth: flo
     aerial = (aerial + cover * _aerial_under(deck, turbidity)) * unit
     harmonics = irradiance_harmonics(mean, sun, sine) * unit
     return SkyLight(
-        unit, elevation, sun * unit, bare * unit, (clear * unit).astype(np.float32), deck * unit, harmonics,
+        unit, elevation, shone * unit, bare * unit, (clear * unit).astype(np.float32), deck * unit, harmonics,
         aerial.astype(np.float32), *air_extinction(turbidity), fog * unit, share,
+        mean_sun=sun * unit, above=up_irradiance(clear) / np.pi * unit, cover=cover,
     )  # fmt: skip
 
 
@@ -116,7 +125,21 @@ def _even() -> SkyLight:
     harmonics[0] = np.pi / 0.282095
     table = np.ones((ROWS, COLUMNS, 3), np.float32)
     return SkyLight(
-        1.0, 90.0, none, none, table, ones, harmonics, np.zeros((*AERIAL, 3), np.float32), none, none, ones, 0.0, True
+        1.0,
+        90.0,
+        none,
+        none,
+        table,
+        ones,
+        harmonics,
+        np.zeros((*AERIAL, 3), np.float32),
+        none,
+        none,
+        ones,
+        0.0,
+        True,
+        none,
+        ones,
     )
 
 

@@ -6,6 +6,7 @@ import moderngl
 import numpy as np
 
 from ..level import Level
+from .overcast import Overcast
 from .sky_light import SkyLight, sky_light
 
 
@@ -17,9 +18,9 @@ class SkyTextures:
         self.textures: dict[str, moderngl.Texture] = {}
         self.light: SkyLight | None = None
 
-    def update(self, level: Level, time_s: float) -> None:
-        """Follow the level's light settings, and the hour of a day that runs."""
-        light = sky_light(level.settings, time_s)
+    def update(self, level: Level, time_s: float, overcast: Overcast | None = None) -> None:
+        """Follow the level's light settings, the hour of a day that runs and what hangs over it."""
+        light = sky_light(level.settings, time_s, overcast)
         if light is self.light:
             return
         self.light = light

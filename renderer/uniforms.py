@@ -40,7 +40,7 @@ def frame_uniforms(frame) -> dict:
     forward = -matrices.view[2]
     return {
         **settings_uniforms(level.settings),
-        **look_uniforms(level.settings, frame.time_s),
+        **look_uniforms(level.settings, frame.time_s, frame.renderer.sky.light),
         **wave_uniforms(level, frame.time_s),
         **frame.show.uniforms(),
         "u_camera": tuple(matrices.position),
@@ -60,6 +60,9 @@ def frame_uniforms(frame) -> dict:
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
         **ring_uniforms(level, frame.time_s, matrices.position),
         **_sea_shape(level.settings),
+        **(
+            {"u_light_cloud_cover": 0.0, "u_cirrus": 0.0} if level.settings.clouds.on else {}
+        ),  # they stand there by themselves
     }
 
 

@@ -32,7 +32,7 @@ def test_day_that_stands_is_as_it_was():
     light = by_date.light
     elevation = round(light_angles(light)[1], 4)
     depth = by_date.fog.density * by_date.fog.height_m
-    exact = made(elevation, light.turbidity, light.body, light.cloud_cover, light.cloud_depth, depth)
+    exact = made(elevation, light.turbidity, light.body, light.cloud_cover, light.cloud_depth, depth, False)
     assert sky_light(by_date, 777.0) is exact
 
 

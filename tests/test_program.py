@@ -12,17 +12,19 @@ ALL_OFF = dict.fromkeys(OFF["sea.glsl"].values(), "")
 VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "COARSE": ""},
                          {"HORIZON": ""}, {"MESH": "", "TESSELLATED": ""},
                          {"MESH": "", "MEASURED": ""}, {"MESH": "", "MEASURED": "", "TESSELLATED": ""},
-                         {"MESH": "", "PATCHED": ""}),
+                         {"MESH": "", "PATCHED": "", "CLOUD_SHADOW": ""}),
             "shadow.glsl": ({"START": ""}, {"SPREAD": ""}), "openness.glsl": ({"WAYS": "8", "STEPS": "11"},),
             "terrain.glsl": ({"GROUND_CHEAP": ""},
                              {"SMOOTH_NEAR": "", "RELIEF": "", "SHOW_GROUND": "", "MOST_LAYERS": "3"}),
-            "light.glsl": ({}, {"WHITE": ""}, {"LAND_FIRST": ""}, {"SEA_ALONE": "", "REFLECTIONS": "", "QUIET": ""}),
+            "light.glsl": ({}, {"WHITE": ""}, {"LAND_FIRST": ""},
+                           {"SEA_ALONE": "", "REFLECTIONS": "", "QUIET": "", "CLOUD_SHADOW": ""}),
             "lamps.glsl": ({}, {"UNDER": ""}), "props.glsl": ({}, {"MARK": ""}), "prop_shadow.glsl": ({}, {"PROP": ""}),
             "plate.glsl": ({"DOWN": ""}, {"ALONG": ""}, {"ACROSS": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
             "weather_inset.glsl": ({"INSET_MAP": ""},),
             "view.glsl": ({"VIEW_VALUE": "vec3(1.0)"},
                           {"VIEW_VALUE": "vec3(rain_at(position.xy, ground.x), 0.0)", "WEATHER": ""},
                           {"VIEW_VALUE": "weather_stage(position.xy)", "WEATHER_STAGE": ""}),
+            "sky.glsl": ({}, {"HIGH_CLOUDS": ""}), "lobes.glsl": ({}, {"CLOUDS": "", "HIGH_CLOUDS": ""}),
             "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)
@@ -146,6 +148,8 @@ def test_views_compile_with_at_most_16_samplers(ctx):
         if view.value:
             defines = {"LAYER": ""} if view.layer else {"WALKABLE": ""} if view.name == "walkable" else {}
             defines |= {"SHORE_FIELD": ""} if "shore_field" in view.value else {}
+            defines |= {"HIGH_CLOUDS": ""} if "cirrus_at" in view.value or "alto_at" in view.value else {}
+            defines |= {"RAIN": ""} if "rain_rate" in view.value else {}
             defines |= {"PATCHES": ""} if "patch_colour" in view.value else {}
             defines |= {"WEATHER_STAGE": ""} if "weather_stage" in view.value else {}
             defines |= {"WEATHER": ""} if "rain_at" in view.value or "weather_map" in view.value else {}

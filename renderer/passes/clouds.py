@@ -112,10 +112,10 @@ def light_uniforms(frame: Frame) -> dict:
     sky = frame.renderer.sky.light
     c = sky.harmonics
     up = c[0] * 0.282095 + c[6] * 0.630784
-    above, below = up + c[2] * 0.488603, (up - c[2] * 0.488603) * (1.0 if sky.even else UNDER_CLOUD)
+    below = (up - c[2] * 0.488603) * (1.0 if sky.even else UNDER_CLOUD)
     return {
         "u_cloud_sun": tuple(float(v) for v in sky.disc),
-        "u_cloud_above": tuple(float(v) for v in above / np.pi),
+        "u_cloud_above": tuple(float(v) for v in sky.above),
         "u_cloud_below": tuple(float(v) for v in np.maximum(below, 0.0) / np.pi),
     }
 

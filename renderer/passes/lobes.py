@@ -8,7 +8,10 @@ from __future__ import annotations
 import numpy as np
 
 from ..frame import Frame
+from ..high_layers import bind_high
 from ..uniforms import set_uniforms
+from .cloud_dome import EVERY_M, EVERY_S, EYE_M, at_whole
+from .clouds import shown
 
 SIZES = (192, 64, 32, 32, 16, 16)  # lib/lobes.glsl has the same
 GROUND_ALBEDO = 0.13  # of what lies below the horizon: half sea, half land
@@ -32,11 +35,18 @@ class Lobes:
 def draw(frame: Frame) -> None:
     kept, sky = frame.renderer.kept, frame.renderer.sky
     lobes = kept.get("lobes") or kept.setdefault("lobes", Lobes(frame.renderer.ctx))
-    cirrus = float("clouds" in frame.show and not sky.light.even)
-    shader = frame.shader("lobes.glsl")
+    cirrus = float("clouds" in frame.show and not sky.light.even and not frame.level.settings.clouds.on)
+    dome, defines, drawn = None, {}, frame
+    if shown(frame):  # as the dome is: for a while and a place
+        dome, drawn = kept["cloud_dome"].key, at_whole(frame, EVERY_S, EVERY_M)
+        defines = {"CLOUDS": "", **bind_high(drawn)}
+        drawn.uniforms["u_eye_m"] = EYE_M
+    shader = drawn.shader("lobes.glsl", **defines)
     fog = frame.uniforms["u_fog_density"], frame.uniforms["u_fog_height_m"]
     sun = tuple(float(v) for v in frame.uniforms["u_sun_direction"])
-    key = sky.light, sun, cirrus, fog, frame.textures["u_noise"], shader.generation
+    clouds = frame.level.settings.clouds
+    high = (clouds.cirrus, clouds.alto, clouds.high_m, clouds.high_mps) if dome else ()
+    key = sky.light, sun, cirrus, fog, frame.textures["u_noise"], dome, high, shader.generation
     if lobes.key != key:
         _make(frame, lobes, shader, cirrus)
         lobes.key = key

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from ..frame import Frame
+from ..high_layers import bind_patterns
 from ..uniforms import shore_field_uniforms
 from ..view_row import View
 from . import cloud_view, weather
@@ -35,6 +36,11 @@ def bind_view(frame: Frame, view: View) -> dict[str, str]:
         defines["SHORE_FIELD"] = ""
         frame.textures["u_shore_field"] = uploader.shore_field(frame.level)
         frame.uniforms |= shore_field_uniforms(frame.level)
+    if "rain_rate" in view.value:
+        defines["RAIN"] = ""
+    if "cirrus_at" in view.value or "alto_at" in view.value:
+        defines["HIGH_CLOUDS"] = ""
+        bind_patterns(frame, frame.renderer.kept)
     if "patch_colour" in view.value:
         defines["PATCHES"] = ""
         frame.textures["u_patch_kinds"], frame.uniforms["u_patch_first"] = uploader.patch_kinds(frame.level)

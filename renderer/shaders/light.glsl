@@ -28,7 +28,7 @@ const vec3 LAND_BOUNCE = vec3(1.0);  // the furnace: everything gives back all l
 vec3 coast_radiance() { return vec3(1.0); }
 #else
 const vec3 LAND_BOUNCE = vec3(0.17, 0.155, 0.13);  // albedo of land, half of it in the sun
-vec3 coast_radiance() { return (sky_irradiance(vec3(0.0, 0.0, 1.0)) + 0.35 * sun_radiance()) * (0.3 * LAND_BOUNCE); }
+vec3 coast_radiance() { return (sky_irradiance(vec3(0.0, 0.0, 1.0)) + 0.35 * u_sun_mean) * (0.3 * LAND_BOUNCE); }
 #endif
 
 // What water mirrors: the sky, the land that is seen, else a coast as bright as land of a middling albedo (H17).
@@ -64,7 +64,7 @@ vec3 radiance(Surface s, vec3 relative) {
         ? sun_on_water(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0, quiet) * sun
         : brdf_sun(s.albedo, s.normal, to_eye, u_sun_direction, s.roughness, f0) * sun;
     // what hides the sky is itself lit land or water, and gives part of its light back
-    vec3 up = sky_irradiance(vec3(0.0, 0.0, 1.0)) + sun_radiance() * max(u_sun_direction.z, 0.0);
+    vec3 up = sky_irradiance(vec3(0.0, 0.0, 1.0)) + u_sun_mean * max(u_sun_direction.z, 0.0);
     vec3 bounce = up * LAND_BOUNCE * u_light_bounce * (1.0 - s.open);
     vec3 ambient = sky_irradiance(s.normal) * s.open + bounce;
     vec3 mirrored = sky_lobe(mirror, s.roughness) * s.open + bounce / PI;

@@ -10,6 +10,13 @@ void main() { fullscreen_triangle(); }
 
 #ifdef FRAGMENT
 #include "lib/fog.glsl"
+#ifdef HIGH_CLOUDS
+#include "lib/high_light.glsl"
+#endif
+#ifdef CLOUDS
+#include "lib/cloud_dome.glsl"
+uniform sampler2D u_cloud_dome;
+#endif
 uniform int u_level;
 uniform float u_cirrus;
 uniform vec3 u_ground_radiance;
@@ -18,7 +25,14 @@ const int DIRECTIONS = 48;
 
 vec3 world(vec3 dir) {
     vec3 up = sky_seen(vec3(dir.xy, max(dir.z, 0.0)), u_cirrus);
+#ifdef HIGH_CLOUDS
+    up = high_layers(up, vec3(dir.xy, max(dir.z, 0.0)), u_camera.xy, 1.0, 0.02);
+#endif
     up = fog_over_sky(up, dir, 1.0);
+#ifdef CLOUDS
+    vec4 clouds = textureLod(u_cloud_dome, dome_place(dir), 0.0);
+    up = up * clouds.a + clouds.rgb;
+#endif
     return mix(u_ground_radiance, up, smoothstep(-0.03, 0.0, dir.z));
 }
 

@@ -29,6 +29,12 @@ uniform float u_layer_cell_m;
 #ifdef WALKABLE
 uniform sampler2D u_walkable;
 #endif
+#ifdef HIGH_CLOUDS
+#include "lib/high_clouds.glsl"
+#endif
+#ifdef RAIN
+#include "lib/rain_rate.glsl"
+#endif
 #ifdef SHORE_FIELD
 #include "lib/shore_field.glsl"
 #endif

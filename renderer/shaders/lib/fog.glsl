@@ -52,7 +52,7 @@ vec3 aerial_light(vec3 dir, float metres) {
 vec3 fog_inscatter(vec3 view_dir) {
     vec3 sky = sky_radiance(over_horizon(view_dir));
     float forward = max(dot(view_dir, u_sun_direction), 0.0);
-    vec3 sun_glow = u_sun_illuminance * (0.5 * pow(forward, 5.0) + 0.8 * pow(forward, 30.0)) * 0.045;
+    vec3 sun_glow = u_sun_mean * (0.5 * pow(forward, 5.0) + 0.8 * pow(forward, 30.0)) * 0.045;
     return mix(sky, u_fog_radiance + sun_glow, u_fog_share);
 }
 

@@ -53,15 +53,36 @@ float prop_visibility(vec3 position) {
     return mix(lit, 1.0, smoothstep(0.85, 1.0, border));
 }
 
+#ifdef CLOUD_SHADOW
+uniform sampler2D u_cloud_shadow;
+uniform vec4 u_cloud_shadow_place;  // its middle east and north, half its side m, how dark shadows are
+uniform vec2 u_cloud_shadow_slant;  // metres towards the sun a metre up
+uniform float u_cloud_shadow_far;     // their mean
+#endif
+
+// What the clouds let through of the sun to a place (Z19); past the map's border their mean.
+float cloud_visibility(vec3 position) {
+#ifdef CLOUD_SHADOW
+    vec2 foot = position.xy - u_cloud_shadow_slant * (position.z - u_level_sea_level_m) - u_cloud_shadow_place.xy;
+    vec2 at = foot / u_cloud_shadow_place.z;
+    float through = textureLod(u_cloud_shadow, at * 0.5 + 0.5, 0.0).r;
+    through = mix(through, u_cloud_shadow_far, smoothstep(0.8, 1.0, max(abs(at.x), abs(at.y))));
+    return mix(1.0, through, u_cloud_shadow_place.w);
+#else
+    return 1.0;
+#endif
+}
+
 // 1 in the sun, 0 in the shadow; `position` in world metres.
 float sun_visibility(vec3 position) {
     vec2 outside = max(-position.xy, position.xy - u_extent_m);
-    if (!u_light_shadows || max(outside.x, outside.y) > 0.0) return 1.0;
+    float clouds = cloud_visibility(position);
+    if (!u_light_shadows || max(outside.x, outside.y) > 0.0) return clouds;
     vec2 size = vec2(textureSize(u_shadow, 0));
     vec2 at = clamp(position.xy / u_extent_m, 0.0, 1.0) * (size - 1.0) + 0.5;
     vec2 shadow = textureLod(u_shadow, at / size, 0.0).rg;
     float soft = 0.02 + 0.12 * u_shadow_cell_m + u_shadow_spread * shadow.y;
     // the map ends with the level: its shadows fade out before, so that the border isn't drawn by them
     float within = smoothstep(0.0, min(12.0, 0.05 * min(u_extent_m.x, u_extent_m.y)), -max(outside.x, outside.y));
-    return mix(1.0, smoothstep(-soft, soft, position.z - shadow.x), within) * prop_visibility(position);
+    return mix(1.0, smoothstep(-soft, soft, position.z - shadow.x), within) * prop_visibility(position) * clouds;
 }

@@ -8,7 +8,9 @@ uniform vec3 u_sun_illuminance;     // on a plane facing it, at sea level, under
 uniform vec3 u_sun_disc;            // the same without clouds
 uniform vec3 u_sky_sh[9];           // irradiance, x towards the sun's azimuth
 uniform vec3 u_deck;                // the cloud layer at the zenith
+uniform vec3 u_sun_mean;            // the same on all the land together: clouds in volume shade parts of it
 uniform float u_light_cloud_cover, u_light_cloud_depth;
+uniform float u_sky_cover;          // share of the sky that clouds of any kind hide
 
 const float SKY_ROWS = 96.0, SKY_COLUMNS = 64.0;
 const float SUN_RADIUS = 0.00465;   // rad
@@ -38,7 +40,7 @@ vec3 deck_radiance(vec3 dir) { return u_deck * ((1.0 + 2.0 * max(dir.z, 0.0)) / 
 // Mean radiance of the sky without the disc.
 vec3 sky_radiance(vec3 dir) {
     vec3 clear = sky_clear(dir);
-    return u_light_cloud_cover > 0.0 ? mix(clear, deck_radiance(dir), u_light_cloud_cover) : clear;
+    return u_sky_cover > 0.0 ? mix(clear, deck_radiance(dir), u_sky_cover) : clear;
 }
 
 vec3 sun_radiance() { return u_sun_illuminance; }
