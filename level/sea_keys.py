@@ -48,20 +48,28 @@ def fronts_at(level: Level, time_s: float) -> list[Fronts]:
 
 def _group(states: list[Fronts], keys: tuple[WeatherKey, ...], turns: tuple[int, ...], time_s: float) -> Fronts:
     """One group: of each front the state that it rose with last, and how far it stands."""
-    which, gain = np.zeros(len(turns), int), np.ones(len(turns))
-    for n, key in enumerate(keys, 1):
-        middle = HALF + (1 - 2 * HALF) * np.array(turns) / 7  # of the fade, where a front is flat
-        off = (time_s - key.time_s) / key.fade_s - middle
-        if states[n] is not states[n - 1]:
-            t = np.clip(np.abs(off) / HALF, 0, 1)
-            gain = gain * t * t * (3 - 2 * t)
-        which = np.where(off >= 0, n, which)
+    middles = [key.time_s + key.fade_s * (HALF + (1 - 2 * HALF) * np.array(turns) / 7) for key in keys]  # flat then
+    gain = np.ones(len(turns))
+    for n, (key, middle) in enumerate(zip(keys, middles, strict=True), 1):
+        before = _latest(middles, lambda other, middle=middle: other < middle)
+        changes = [a < n and states[a] is not states[n] for a in before]  # a later key may have come first
+        t = np.clip(np.abs(time_s - middle) / (HALF * key.fade_s), 0, 1)
+        gain = np.where(changes, gain * t * t * (3 - 2 * t), gain)
+    which = _latest(middles, lambda middle: middle <= time_s)
     picked = {
         name: np.array([getattr(states[state], name)[i] for i, state in enumerate(which)])
         for name in ("east", "north", "length_m", "omega", "amplitude_m", "lateral_m", "begin")
     }
     fronts = Fronts(**picked)
     return replace(fronts, amplitude_m=fronts.amplitude_m * gain, lateral_m=fronts.lateral_m * gain)
+
+
+def _latest(middles: list[np.ndarray], passed) -> np.ndarray:
+    """Number of the last key, 0 for none, of whose middles `passed` holds, by front."""
+    which = np.zeros_like(middles[0], int)
+    for n, middle in enumerate(middles, 1):
+        which = np.where(passed(middle), n, which)
+    return which
 
 
 def largest_amplitude_m(level: Level) -> float:

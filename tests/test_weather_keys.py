@@ -215,3 +215,25 @@ def test_pictures_are_the_same_however_reached(renderer):
     assert not np.array_equal(first, render(plain, camera, time_s=130.0, **draw))
     before = render(level, camera, time_s=90.0, **draw)
     assert np.array_equal(before, render(plain, camera, time_s=90.0, **draw))
+
+
+@pytest.mark.parametrize(
+    "keys",
+    [
+        (("storm", 0.0, 300.0), ("storm", 20.0, 20.0)),
+        (("storm", 0.0, 100.0), ("calm", 5.0, 100.0), ("calm", 10.0, 10.0)),
+    ],
+)
+def test_fronts_change_while_flat_where_a_short_key_overtakes_a_long_one(keys):
+    """D36: what counts is the sea a front leaves, not that of the key before: two of one weather may overlap."""
+    level = keyed()
+    for n, (weather, time_s, fade_s) in enumerate(keys):
+        level.put_object(f"key-{n}", WeatherKey(id=f"key-{n}", weather=weather, time_s=time_s, fade_s=fade_s))
+    times = np.arange(0.0, 45.0, 1 / 30)
+    for group in (0, 1):
+        fronts = [fronts_at(level, time_s)[group] for time_s in times]
+        length = np.array([f.length_m for f in fronts])
+        high = np.array([f.amplitude_m for f in fronts])
+        changed = np.diff(length, axis=0) != 0
+        assert changed.any()
+        assert np.maximum(high[:-1], high[1:])[changed].max() < 0.05 * high.max()
