@@ -124,6 +124,7 @@ class Picture:
                 session.level, session.camera, size, session.clock.time_s, session.view,
                 show=session.show, quality=quality, overlays=editor.overlays,
                 samples=REFINED if part else 1, part=part,
+                live=moving,  # of the clouds a sixteenth a picture (Z16); what stands still is marched whole
                 scale=1.0,  # the governor has chosen the pixels: the tier's own scale would lower them twice
             )  # fmt: skip
             self.ctx.finish()
