@@ -15,6 +15,7 @@ TOUCHED = (
     "light.sun_from", "light.sun_azimuth_deg", "light.sun_elevation_deg", "light.body", "light.turbidity",
     "light.cloud_cover", "light.cloud_depth", "light.exposure_ev", "light.white_k",
     "fog.on", "fog.density", "fog.height_m", "sea.wind_mps",
+    "weather.coverage", "weather.precipitation", "weather.type",
 )  # fmt: skip
 
 
@@ -29,9 +30,10 @@ class Environment:
 def _row(
     name: str, label: str, doc: str, sun: tuple[float, float], ev: float, turbidity: float = 2.6, body: str = "sun",
     clouds: tuple[float, float] = (0.0, 12.0), fog: tuple[float, float] = (0.00002, 350.0), white_k: float = 5600,
-    wind_mps: float = 5.0,
+    wind_mps: float = 5.0, weather: tuple[float, float, float] = (0.38, 0.0, 0.9),
 ) -> Environment:  # fmt: skip
-    values = ("angles", *sun, body, turbidity, *clouds, ev, white_k, True, *fog, wind_mps)
+    """`clouds` is the layer without clouds in volume, `weather` what those are made of where they are on."""
+    values = ("angles", *sun, body, turbidity, *clouds, ev, white_k, True, *fog, wind_mps, *weather)
     return Environment(name, label, doc, dict(zip(TOUCHED, values, strict=True)))
 
 
@@ -42,13 +44,14 @@ ENVIRONMENTS: dict[str, Environment] = {
         _row("golden_hour", "Golden hour", "The sun a hand above the sea, long shadows.", (252.0, 7.5), 12.0,
              turbidity=3.2, wind_mps=3.0),
         _row("overcast", "Overcast", "A closed sheet of cloud: soft light, no shadows.", (205.0, 48.0), 12.4,
-             clouds=(1.0, 22.0), fog=(0.00005, 500.0), white_k=6000, wind_mps=7.0),
+             clouds=(1.0, 22.0), fog=(0.00005, 500.0), white_k=6000, wind_mps=7.0, weather=(0.97, 0.0, 0.2)),
         _row("storm", "Storm", "A dark sheet of cloud, haze, a hard wind.", (240.0, 24.0), 11.2, turbidity=3.5,
-             clouds=(1.0, 70.0), fog=(0.00022, 700.0), white_k=5400, wind_mps=16.0),
+             clouds=(1.0, 70.0), fog=(0.00022, 700.0), white_k=5400, wind_mps=16.0,
+             weather=(0.93, 0.6, 0.7)),
         _row("moonlit", "Moonlit", "The full moon over the bay.", (215.0, 32.0), -2.4, turbidity=2.2, body="moon",
-             white_k=4200, wind_mps=3.0),
+             white_k=4200, wind_mps=3.0, weather=(0.3, 0.0, 0.8)),
         _row("fog", "Fog", "Morning fog on the water, the sun behind it.", (150.0, 20.0), 12.6, turbidity=3.5,
-             fog=(0.0046, 62.0), wind_mps=2.0),
+             fog=(0.0046, 62.0), wind_mps=2.0, weather=(0.25, 0.0, 0.3)),
     )
 }  # fmt: skip
 

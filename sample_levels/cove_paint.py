@@ -110,7 +110,7 @@ def blots(level: Level, near: dict, x, y, seed: int) -> None:
 
 def sky(level: Level, seed: int) -> None:
     """Fair cumulus over the cove and out to sea, south-west; the grid's middle is the level's corner."""
-    side, from_row, from_col = 96, 196, 200
+    side, from_row, from_col = 96, 100, 104
     col, row = np.meshgrid(np.arange(side, dtype=float), np.arange(side, dtype=float))
     edge = smoothstep(
         48, 26, np.sqrt(np.square(row - 47.5) + np.square(col - 47.5)) + 9 * fbm(col, row, 40, 3, seed + 20)
