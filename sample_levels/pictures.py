@@ -208,8 +208,10 @@ def draw(shot: Shot, folder: Path) -> int:
 
 def main() -> int:
     """Draw every shot and sheet into docs/pictures and print the path of each, one a line."""
+    from cloud_pictures import CLOUDS  # it takes Shot from here
+
     with tempfile.TemporaryDirectory() as folder:
-        for shot in (*SHOTS, *ROWS, *SEA, *MOODS):
+        for shot in (*SHOTS, *ROWS, *SEA, *MOODS, *CLOUDS):
             code = draw(shot, Path(folder))
             if code:
                 return code

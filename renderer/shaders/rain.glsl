@@ -44,7 +44,7 @@ vec4 shafts(vec3 dir, float eye, float away_m, float start) {
     float through = 1.0, weight = 0.0, mean_m = 0.0, length_m = to - from;
     for (int i = 0; i < SHAFT_STEPS; ++i) {
         // steps grow with the distance
-        float a = float(i) / float(SHAFT_STEPS), b = float(i + 1) / float(SHAFT_STEPS), mid = mix(a, b, start);
+        float a = float(i) / float(SHAFT_STEPS), b = float(i + 1) / float(SHAFT_STEPS), mid = mix(a, b, 0.35 + 0.3 * start);
         float t = from + length_m * mid * mid;
         float step_m = length_m * (b * b - a * a);
         float depth = shaft_extinction(u_camera.xy + dir.xy * t, eye + dir.z * t, step_m) * step_m;
