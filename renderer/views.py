@@ -133,7 +133,7 @@ VIEWS: dict[str, View] = {
         View("foam_shore", "Foam: shore", "Constant foam by the distance to the shore, before it is torn.",
              "vec3(on_sea * foam_of_shore(current_at(s.before).a, 1.0))", ids="H18"),
         View("foam_height", "Foam: height", "Foam on the highest water.",
-             "vec3(on_sea * foam_of_height(sea.height01 * sea.deep))", ids="H18"),
+             "vec3(on_sea * foam_of_height(sea.height01 * min(2.0 * sea.deep, 1.0)))", ids="H18"),
         View("foam_mask", "Foam: mask", "How much foam is asked for: what picks between the densities.",
              "vec3(on_sea * view_foam(sea, s.before, position, s.eye_depth * u_pixel_angle).amount)", ids="H18"),
         View("foam_thin", "Foam: thin", "The thinnest of the packed densities alone.",

@@ -297,6 +297,7 @@ def test_an_import_is_one_step_that_plays_again(tmp_path):
     """T04 T08: undone, redone, recorded as a word, and placed where the wind has carried the air by then."""
     source = write_weather_map(tmp_path / "a.png", tiling())
     with Session.new() as session, Session.new() as again:
+        session.level.set("clouds.on", False)
         steps = len(session.journal.done)
         session.scrub(1200.0)
         notes = session.weather_import(source, extent_m=9000.0, at=(500.0, 700.0), opacity=0.5)

@@ -86,7 +86,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     float veil, offshore = whitecaps(before, sea.height01 * sharp, pixel_m, veil) * sea.deep;
     veil *= waves ? sea.deep : 0.0;
     // what a shore wave lifts has foam of its own: only the open sea's heights count
-    float still = waves ? foam_of_height(sea.height01 * sea.deep * sharp) * sharp : 0.0;
+    float still = waves ? foam_of_height(sea.height01 * min(2.0 * sea.deep, 1.0) * sharp) * sharp : 0.0;
     bool far_out = shore * m.s < 0.2 && current.a > u_foam_shore_far_m;
     if (far_out && offshore + paint + still + stirred < 0.004) return Foam(veil, 0.0, 0.0, 0.5, 0.5);
     float near;
