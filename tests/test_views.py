@@ -36,6 +36,7 @@ def small_coast():
     level.put_mesh("block", block())
     level.set("weather.precipitation", 0.6)  # for the views alone: there are no clouds
     level.set("weather.temperature_c", 1.0)
+    level.set("foam.height_low", -0.5)  # foam on all offshore waves: those of so small a sea are low
     return level
 
 
