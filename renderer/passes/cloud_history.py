@@ -23,6 +23,7 @@ SECTIONS = ("clouds", "cloud_terms", "weather", "storm", "light", "fog")
 FAR_M = 6000.0  # how far clouds are taken to be where only the screen's edge is asked for
 MOST_STRIP = 0.1  # of the image's side: more than that coming into view at once is left to the marched part
 FORGET, MOVED, STILL = range(3)
+DEFINES = ({}, {"MOVED": ""}, {"STILL": ""})
 
 
 def seen_now(frame: Frame) -> Seen:
@@ -93,9 +94,8 @@ def _resolve(frame: Frame, history: CloudHistory, old, now: Seen, mode: int) -> 
     frame.textures |= {
         "u_parts": parts[0], "u_parts_depth": parts[1], "u_last": old.textures[0], "u_last_depth": old.textures[1],
     }  # fmt: skip
-    shader = frame.shader("cloud_resolve.glsl")
+    shader = frame.shader("cloud_resolve.glsl", **DEFINES[mode])
     values = {
-        "u_mode": mode,
         "u_slot": history.slot,
         "u_part": history.part,
         "u_cloud_size": tuple(map(float, image.size)),

@@ -30,6 +30,12 @@ def half(size: tuple[int, int]) -> tuple[int, int]:
 def draw(frame: Frame) -> None:
     if not shown(frame):
         return
+    make_image(frame)
+    _composite(frame)
+
+
+def make_image(frame: Frame) -> None:
+    """Bring the clouds' own image up to date: a part of it in live pictures, else all."""
     history = _history(frame)
     values = cloud_uniforms(frame)
     values["u_ray_centre"] = tuple(float(v) for v in -frame.matrices.view[2])  # samples of a picture share one image
@@ -50,7 +56,6 @@ def draw(frame: Frame) -> None:
         history.settled = len(ORDER)
         frame.stats["clouds_marched"] = history.size[0] * history.size[1]
     frame.textures |= dict(zip(("u_clouds", "u_clouds_depth"), history.image.textures, strict=True))
-    _composite(frame)
 
 
 def _history(frame: Frame) -> CloudHistory:

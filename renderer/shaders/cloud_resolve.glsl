@@ -1,4 +1,5 @@
-// The next image of the clouds from the sixteenth that was marched and from what is remembered (Z16).
+// The next image of the clouds from the sixteenth that was marched and from what is remembered (Z16): STILL where nothing
+// moved, MOVED where it did, else there is nothing to remember. Defines, for software OpenGL runs every branch.
 #include "lib/frame.glsl"
 
 #ifdef VERTEX
@@ -11,7 +12,6 @@ uniform sampler2D u_last, u_last_depth;    // the last image
 uniform vec2 u_cloud_size;
 uniform ivec2 u_part;                      // sides of a part
 uniform int u_slot;                        // which part was marched in this frame
-uniform int u_mode;                        // 0 nothing to remember, 1 it moved, 2 it stands still
 uniform vec4 u_moved[17];                  // from the camera of a part (the last: of the last image) to this one, known
 uniform vec4 u_back_x[17], u_back_y[17], u_back_z[17];  // rows that turn into it
 layout(location = 0) out vec4 out_light;
@@ -92,25 +92,12 @@ vec4 remembered(vec2 at) {
     return sum;
 }
 
-void main() {
-    ivec2 pixel = ivec2(gl_FragCoord.xy), block = pixel / BLOCK, fresh = corner(u_slot) + block;
-    if (pixel - block * BLOCK == ORDER[u_slot]) {
-        out_light = texelFetch(u_parts, fresh, 0);
-        out_depth = texelFetch(u_parts_depth, fresh, 0).r;
-        return;
-    }
-    if (u_mode == 2) {
-        out_light = texelFetch(u_last, pixel, 0);
-        out_depth = texelFetch(u_last_depth, pixel, 0).r;
-        return;
-    }
-    vec2 near = fresh_at(vec2(pixel));
-    out_light = textureLod(u_parts, near, 0.0);
-    out_depth = textureLod(u_parts_depth, near, 0.0).r;
-    if (u_mode == 0) return;
+#ifdef MOVED
+// A pixel that was not marched: what is remembered of it, held near what was marched about it.
+vec4 moved_light(ivec2 pixel, ivec2 block, vec4 fresh, inout float depth) {
     vec2 clip = (vec2(pixel) + 0.5) / u_cloud_size * 2.0 - 1.0;
-    vec3 there = normalize(u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y) * max(out_depth, 1.0);
-    vec4 low = out_light, high = out_light;
+    vec3 there = normalize(u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y) * max(depth, 1.0);
+    vec4 low = fresh, high = fresh, light = fresh;
     for (int y = -1; y <= 1; ++y) {
         for (int x = -1; x <= 1; ++x) {
             vec4 other = texelFetch(u_parts, corner(u_slot) + clamp(block + ivec2(x, y), ivec2(0), u_part - 1), 0);
@@ -120,15 +107,35 @@ void main() {
     }
     vec2 at = was_at(there, LAST);
     if (all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, u_cloud_size - 0.5))) {
-        out_light = remembered(at);
-        out_depth = textureLod(u_last_depth, (at + 0.5) / u_cloud_size, 0.0).r;
+        light = remembered(at);
+        depth = textureLod(u_last_depth, (at + 0.5) / u_cloud_size, 0.0).r;
     }
-    float depth, total;
-    vec4 marched = marched_near(there, depth, total);
+    float marched_depth, total;
+    vec4 marched = marched_near(there, marched_depth, total);
     float share = smoothstep(SPARSE, DENSE, total);
     vec4 room = ROOM * (high - low);
-    out_light = clamp(mix(out_light, marched, share), max(low - room, 0.0), high + room);
-    out_light.a = clamp(out_light.a, 0.0, 1.0);
-    out_depth = mix(out_depth, depth, share);
+    light = clamp(mix(light, marched, share), max(low - room, 0.0), high + room);
+    light.a = clamp(light.a, 0.0, 1.0);
+    depth = mix(depth, marched_depth, share);
+    return light;
+}
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_FragCoord.xy), block = pixel / BLOCK, fresh = corner(u_slot) + block;
+    bool marched_now = pixel - block * BLOCK == ORDER[u_slot];
+#ifdef STILL
+    out_light = marched_now ? texelFetch(u_parts, fresh, 0) : texelFetch(u_last, pixel, 0);
+    out_depth = marched_now ? texelFetch(u_parts_depth, fresh, 0).r : texelFetch(u_last_depth, pixel, 0).r;
+#else
+    vec2 near = fresh_at(vec2(pixel));
+    vec4 light = textureLod(u_parts, near, 0.0);
+    float depth = textureLod(u_parts_depth, near, 0.0).r;
+#ifdef MOVED
+    light = moved_light(pixel, block, light, depth);
+#endif
+    out_light = marched_now ? texelFetch(u_parts, fresh, 0) : light;
+    out_depth = marched_now ? texelFetch(u_parts_depth, fresh, 0).r : depth;
+#endif
 }
 #endif

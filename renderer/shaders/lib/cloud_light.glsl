@@ -45,26 +45,28 @@ float cloud_powder(float depth, float cosine) {
     return mix(1.0, 2.0 * (1.0 - exp(-2.0 * depth)), u_clouds_powder * clamp(0.5 - 0.5 * cosine, 0.0, 1.0));
 }
 
-// Extinction at a place, without the detail noise where that is cheap enough.
+// Where a sample of the cone stands, from its place; `along` is what of the cone lies before it.
+vec3 cone_place(int i, float along) {
+    float at = along + 0.5 * CONE_M[i];
+    return u_sun_direction * at + CONE_OFF[i] * (0.25 * at);
+}
+
+// Extinction at a place, without the detail noise where `cheap`.
 float cloud_extinction(vec3 p, float altitude, float lod, bool cheap) {
     float h = shell_height(altitude);
     if (h <= 0.0 || h >= 1.0) return 0.0;
     vec2 sheared = cloud_sheared(p.xy, h);
     float base = cloud_base(sheared, altitude, h, cloud_weather(sheared).xyz, lod, 0.0);
-    if (base <= 0.0) return 0.0;
     return cloud_eroded(base, cheap ? 0.5 : cloud_detail(sheared, altitude, h, lod), h);
 }
 
 // Optical depth towards the sun: five samples in a cone and one far away (Z15).
 float cloud_sun_depth(vec3 p, float altitude, float lod, bool cheap) {
     float depth = 0.0, along = 0.0;
-    if (u_cloud_terms_cone) {
-        for (int i = 0; i < CONE; ++i) {
-            float at = along + 0.5 * CONE_M[i];
-            vec3 off = u_sun_direction * at + CONE_OFF[i] * (0.25 * at);
-            depth += cloud_extinction(p + off, altitude + off.z, lod, cheap) * CONE_M[i];
-            along += CONE_M[i];
-        }
+    for (int i = 0; i < CONE && u_cloud_terms_cone; ++i) {
+        vec3 off = cone_place(i, along);
+        depth += cloud_extinction(p + off, altitude + off.z, lod, cheap) * CONE_M[i];
+        along += CONE_M[i];
     }
     if (u_cloud_terms_far) {
         // what of its length is in the shell: it would else be gone at once where it leaves at the top

@@ -9,6 +9,7 @@ const float CHEAP = 2.0;          // a cheap step is so many full ones
 const float FINE = 0.5;           // steps inside a cloud, where light changes quickly, against full ones
 const float NEAR_M = 20.0, GROWTH = 0.03;  // within a cloud steps begin with that and grow by this share of the way
 const float SLACK = 0.02;         // of the shape's range: cheap steps take what nearly is a cloud for one
+const float CLEAR_M = 420.0;      // steps in clear air: three texels of the map
 const int EMPTY = 8;              // after so many full samples without cloud the steps are cheap again
 const float OPAQUE = 0.004;       // transmittance at which nothing behind counts
 const int MOST_STEPS = 512;
@@ -27,7 +28,69 @@ float cloud_lod(float away, float step_m) {
     return clamp(log2(size / (u_clouds_scale_m / 128.0)), -2.0, 2.5);
 }
 
-// `start` 0 … 1: where in the first step it begins.
+// What a ray asks at a distance.
+struct Place {
+    vec3 at;
+    float altitude, h, lod, base;
+    vec2 sheared;
+    vec3 weather;
+};
+
+Place cloud_place(vec3 dir, float t, float step_m, float slack) {
+    Place place;
+    place.at = dir * t;
+    place.altitude = altitude_of(place.at);
+    place.h = shell_height(place.altitude);
+    place.lod = cloud_lod(t, step_m * FINE);
+    place.sheared = cloud_sheared(place.at.xy, place.h);
+    place.weather = cloud_weather(place.sheared).xyz;
+    place.base = cloud_base(place.sheared, place.altitude, place.h, place.weather, place.lod, slack);
+    return place;
+}
+
+// Whether the map has no clouds at a distance: in clear air nothing else is asked.
+bool cloud_free(vec3 dir, float t) {
+    vec3 at = dir * t;
+    return cloud_weather(cloud_sheared(at.xy, shell_height(altitude_of(at)))).x <= 0.0 && u_cloud_terms_coverage;
+}
+
+// What the steps of one ray share.
+struct Ray {
+    vec3 dir;
+    vec2 span;
+    float longest, begin, cosine, phase;
+    int most;  // full steps without cloud before they are cheap again
+};
+
+float step_length(Ray ray, float t) { return min(ray.longest, max(NEAR_M, GROWTH * t)); }
+
+// Full steps, as long as there is cloud and more than `until` is seen through it; `cheap` light or dear, as written.
+void full_steps(Ray ray, inout March m, inout float t, inout float weight, inout int steps, float until, bool cheap) {
+    for (int empty = 0; empty < ray.most && steps < MOST_STEPS && t < ray.span.y && m.transmittance >= until; ++steps) {
+        float full = step_length(ray, t), extinction = 0.0;
+        Place p = cloud_place(ray.dir, t, full, 0.0);
+        if (p.base > 0.0) {
+            extinction = cloud_eroded(p.base, cloud_detail(p.sheared, p.altitude, p.h, p.lod), p.h);
+            extinction *= 1.0 - smoothstep(0.6, 1.0, t / u_cloud_reach_m);
+        }
+        if (extinction > 0.0) {
+            empty = 0;
+            ++m.samples;
+            float through = exp(-extinction * full * FINE);
+            vec3 source = cloud_source(p.at, p.altitude, p.h, p.weather.y, ray.cosine, ray.phase, p.lod, cheap);
+            // energy-conserving: the step's own transmittance integrated, not taken at its start
+            float seen = m.transmittance * (1.0 - through);
+            m.light += source * seen;
+            m.depth_m += t * seen;
+            weight += seen;
+            m.transmittance *= through;
+        } else ++empty;
+        t += full * FINE;
+    }
+}
+
+// `start` 0 … 1: where in the first step it begins. Clear air, cheap steps, full ones with dear and with cheap light are
+// loops of their own: software OpenGL runs what stands in a branch for every pixel, a loop only while some pixel is in it.
 March cloud_march(vec3 dir, float start) {
     March m = March(vec3(0.0), 1.0, 0.0, 0);
     vec2 span = shell_span(dir);
@@ -35,45 +98,26 @@ March cloud_march(vec3 dir, float start) {
     span.y = min(span.y, u_cloud_reach_m);
     float count = mix(u_cloud_steps.x, u_cloud_steps.y, clamp(1.0 - abs(dir.z) * 2.0, 0.0, 1.0));
     float longest = (span.y - span.x) / count, first = min(longest, max(NEAR_M, GROWTH * span.x));
-    float t = span.x + first * FINE * start;
-    float cosine = dot(dir, u_sun_direction), phase = cloud_phase(cosine), weight = 0.0;
-    bool cheap = u_cloud_terms_cheap_steps;
-    int empty = 0;
-    for (int i = 0; i < MOST_STEPS && t < span.y; ++i) {
-        float full = min(longest, max(NEAR_M, GROWTH * t));
-        vec3 p = dir * t;
-        float altitude = altitude_of(p), h = shell_height(altitude), lod = cloud_lod(t, full * FINE);
-        vec2 sheared = cloud_sheared(p.xy, h);
-        vec3 weather = cloud_weather(sheared).xyz;
-        float base = cloud_base(sheared, altitude, h, weather, lod, cheap ? SLACK : 0.0);
-        if (cheap) {
-            if (base > 0.0) {
-                cheap = false;
-                empty = 0;
-                t = max(t - full * (CHEAP - FINE), span.x + first * FINE * start);
-            } else t += full * CHEAP;
-            continue;
+    float begin = span.x + first * FINE * start, t = begin, weight = 0.0, cosine = dot(dir, u_sun_direction);
+    float dear_until = u_cloud_terms_cheap_light ? 1.0 - CHEAP_LIGHT : OPAQUE;
+    int most = u_cloud_terms_cheap_steps ? EMPTY : MOST_STEPS, steps = 0;
+    Ray ray = Ray(dir, span, longest, begin, cosine, cloud_phase(cosine), most);
+    while (steps < MOST_STEPS && t < span.y && m.transmittance >= OPAQUE) {
+        while (u_cloud_terms_cheap_steps && t < span.y) {
+            float jump = 0.0, full = step_length(ray, t);
+            while (t < span.y && cloud_free(dir, t)) {
+                jump = max(full * CHEAP, CLEAR_M);
+                t += jump;
+            }
+            t -= max(jump - full * CHEAP, 0.0);
+            if (cloud_place(dir, t, full, SLACK).base > 0.0) {
+                t = max(t - full * (CHEAP - FINE), begin);
+                break;
+            }
+            t += full * CHEAP;
         }
-        float extinction = 0.0;
-        if (base > 0.0) {
-            extinction = cloud_eroded(base, cloud_detail(sheared, altitude, h, lod), h);
-            extinction *= 1.0 - smoothstep(0.6, 1.0, t / u_cloud_reach_m);
-        }
-        if (extinction > 0.0) {
-            empty = 0;
-            ++m.samples;
-            float through = exp(-extinction * full * FINE);
-            bool cheap_light = u_cloud_terms_cheap_light && m.transmittance < 1.0 - CHEAP_LIGHT;
-            vec3 source = cloud_source(p, altitude, h, weather.y, cosine, phase, lod, cheap_light);
-            // energy-conserving: the step's own transmittance integrated, not taken at its start
-            float seen = m.transmittance * (1.0 - through);
-            m.light += source * seen;
-            m.depth_m += t * seen;
-            weight += seen;
-            m.transmittance *= through;
-            if (m.transmittance < OPAQUE) break;
-        } else if (u_cloud_terms_cheap_steps && ++empty >= EMPTY) cheap = true;
-        t += full * FINE;
+        if (m.transmittance >= dear_until) full_steps(ray, m, t, weight, steps, dear_until, false);
+        if (m.transmittance < dear_until) full_steps(ray, m, t, weight, steps, OPAQUE, true);
     }
     m.depth_m = weight > 0.0 ? m.depth_m / weight : span.x;
     if (m.transmittance < OPAQUE) {

@@ -94,6 +94,7 @@ float cloud_detail(vec2 sheared, float altitude, float h, float lod) {
 
 // Extinction 1/m of a base density: edges eroded, the inside whole.
 float cloud_eroded(float base, float detail, float h) {
+    if (base <= 0.0) return 0.0;
     if (!u_cloud_terms_erode) return u_clouds_extinction * clamp(base * DENSE, 0.0, 1.0);
     float billows = 1.0 - detail;
     float cut = u_cloud_terms_inverted ? mix(detail, billows, clamp(h * 10.0, 0.0, 1.0)) : billows;
