@@ -1,5 +1,5 @@
 // The shell of clouds round the planet (Z12), in forms that lose no digits at Earth's radius: heights are those over the
-// sea, places are relative to the camera. The twin is level/shell.py.
+// sea, places are relative to the camera. level/pick_sky.py has the same forms.
 
 uniform float u_clouds_base_m, u_clouds_top_m, u_planet_m;
 uniform float u_eye_m;  // height of the camera over the sea
