@@ -9,6 +9,7 @@ from typing import Any
 
 from ..level import LAYERS
 from ..renderer import VIEWS
+from ..renderer.cloud_image import ORDER
 from ..renderer.memory import gpu_memory
 from .editor import Editor
 from .governor import Governor
@@ -34,6 +35,7 @@ class Drawn:
     seconds: float  # what drawing it cost
     quality: str
     samples: int = 1
+    partial: bool = False  # its clouds are not all marched for it (Z16)
 
 
 class Picture:
@@ -91,7 +93,9 @@ class Picture:
 
     def _settled(self, editor: Editor, size: tuple[int, int]) -> bool:
         """Whether what is shown is what a picture that stands still becomes in the end."""
-        return (self.drawn.size, self.drawn.quality) == (size, STILLS.get(editor.quality, editor.quality))
+        drawn = self.drawn
+        whole = (drawn.size, drawn.quality) == (size, STILLS.get(editor.quality, editor.quality))
+        return whole and not drawn.partial
 
     @staticmethod
     def _scaled(size: tuple[int, int], scale: float) -> tuple[int, int]:
@@ -139,7 +143,9 @@ class Picture:
             self._note(size, seconds)
         smooth = self.ctx.LINEAR if size != self._pixels(key) else self.ctx.NEAREST
         self.texture.filter = smooth, smooth
-        self.drawn = Drawn(key, size, seconds / len(part or (0,)), quality, part.stop if part else 1)
+        # one whole march costs less than the live pictures that would come to the same
+        partial = self.renderer.stats.get("clouds_settled", len(ORDER)) < len(ORDER)
+        self.drawn = Drawn(key, size, seconds / len(part or (0,)), quality, part.stop if part else 1, partial)
         self._unfinished = not self._settled(editor, self._pixels(key))
         self.draws += 1
 

@@ -48,9 +48,11 @@ def _speed(editor: Editor, picture: Picture | None) -> str:
         return ""
     width, height = picture.drawn.size
     cost = picture.governor.frame_s
+    marched = picture.renderer.stats.get("clouds_marched") if picture.renderer else None
+    clouds = "" if marched is None else f"{marched} of {-(-width // 2) * -(-height // 2)} rays through clouds   "
     if not editor.live:
-        return f"{width} × {height}   still"
-    return f"{width} × {height}   {cost * 1000:.0f} ms   {imgui.get_io().framerate:.0f} fps"
+        return f"{clouds}{width} × {height}   still"
+    return f"{clouds}{width} × {height}   {cost * 1000:.0f} ms   {imgui.get_io().framerate:.0f} fps"
 
 
 def resident_bytes() -> int:

@@ -21,10 +21,11 @@ class CloudImage:
         for texture in self.textures:
             texture.filter = ctx.LINEAR, ctx.LINEAR
             texture.repeat_x = texture.repeat_y = False
-        self.framebuffer = ctx.framebuffer(self.textures)
+        self.met = ctx.depth_texture(size)  # 0 where the cheap steps met cloud, 1 elsewhere
+        self.framebuffer = ctx.framebuffer(self.textures, self.met)
 
     def release(self) -> None:
-        for thing in (self.framebuffer, *self.textures):
+        for thing in (self.framebuffer, self.met, *self.textures):
             thing.release()
 
 
@@ -78,7 +79,7 @@ class CloudHistory:
 
     @property
     def textures(self) -> list:
-        return [texture for image in (*self.images, self.parts) for texture in image.textures]
+        return [texture for image in (*self.images, self.parts) for texture in (*image.textures, image.met)]
 
     def release(self) -> None:
         for image in (*self.images, self.parts):

@@ -43,20 +43,25 @@ def image(renderer):
 
 
 def likeness_db(renderer, level, way, frames=32):
-    """Peak signal to noise of live frames along a way, against the full march at its end, over an even sky."""
+    """Peak signal to noise of the composite over an even sky after live frames along a way, against the full march."""
     renderer.kept.pop("clouds", None)
-    step(renderer, level, camera(*way(0)), live=False, quality="medium")
-    for number in range(1, frames + 1):
-        step(renderer, level, camera(*way(number)), quality="medium")
-    pictures = []
-    for live in (True, False):
-        if not live:
-            step(renderer, level, camera(*way(frames)), live=False, quality="medium")
-        light = image(renderer)[0].astype(np.float64)
-        seen = light[..., :3] + SKY * light[..., 3:]
-        pictures.append(seen / (1 + seen / 10))  # about as bright as on a display
-    live, full = pictures
-    return 10 * np.log10(full.max() ** 2 / np.square(live - full).mean())
+    for number in range(frames):
+        live = composite(renderer, level, camera(*way(number)))
+    renderer.kept.pop("clouds", None)
+    full = composite(renderer, level, camera(*way(frames - 1)), live=False)
+    white = np.percentile(full, 99.5)
+    live, full = (np.clip(part / white, 0, 1) ** (1 / 2.2) for part in (live, full))  # about as on a display
+    return -10 * np.log10(np.square(live - full).mean())
+
+
+def composite(renderer, level, place, live=True):
+    frame = renderer.prepare(level, place, SIZE, 0.0, find_view("final"), None, "medium", None)
+    frame.live = live
+    frame.targets.gbuffer.clear()
+    weather.draw(frame)
+    frame.targets.picture.clear(*SKY, 1.0)
+    clouds.draw(frame)
+    return np.frombuffer(frame.targets.picture.read(components=3, dtype="f4"), np.float32)
 
 
 def test_a_still_camera_gets_the_full_march_bit_for_bit(renderer, sky):
@@ -71,25 +76,55 @@ def test_a_still_camera_gets_the_full_march_bit_for_bit(renderer, sky):
         np.testing.assert_array_equal(ours, full)
 
 
-def test_moving_and_turning_come_near_the_full_march(renderer, sky):
-    """Z16: 20 m a frame sideways at least 31 dB, 1° a frame at least 31 dB (the best open peer: 27.8 and 31.3)."""
-    assert likeness_db(renderer, sky, lambda k: (20.0 * k, 60.0)) >= 31
-    assert likeness_db(renderer, sky, lambda k: (0.0, 60.0 + k)) >= 31
+@pytest.mark.parametrize(("step_m", "turn_deg", "least_db"), [(20.0, 0.0, 34.0), (0.0, 1.0, 35.0), (0.0, 4.0, 35.0)])
+def test_moving_and_turning_come_near_the_full_march(renderer, sky, step_m, turn_deg, least_db):
+    """Z16: at least 31 dB at 20 m a frame sideways and 35 dB at 1° a frame (the best open peer: 27.8 and 31.3)."""
+    assert likeness_db(renderer, sky, lambda k: (step_m * k, 60.0 + turn_deg * k)) >= least_db
 
 
-def test_a_scrub_forgets_and_small_steps_do_not(renderer, sky):
-    """Z16: far in time nothing may be remembered: the image is that of a first frame."""
+@pytest.mark.parametrize("jump_s", [500.0, -5.0, 0.03])
+def test_a_scrub_forgets_and_small_steps_do_not(renderer, sky, jump_s):
+    """Z16: far in time, either way, the image is that of a first frame."""
+    images = []
+    for forgotten in (False, True):
+        renderer.kept.pop("clouds", None)
+        for _ in range(5):
+            step(renderer, sky, camera(), 10.0)
+        if forgotten:
+            renderer.kept["clouds"].seen = None
+        step(renderer, sky, camera(), 10.0 + jump_s)
+        images.append(image(renderer)[0])
+    assert np.array_equal(*images) == (abs(jump_s) > 1.0)
+
+
+def test_a_thing_that_moves_in_front_leaves_no_halo(renderer, sky):
+    """Z16: clouds are marched behind it too: round it the picture is no worse than elsewhere at its height."""
+    size, pictures = SIZE, []
     renderer.kept.pop("clouds", None)
-    step(renderer, sky, camera(), 500.0)
-    first = image(renderer)[0]
-    renderer.kept.pop("clouds", None)
-    for _ in range(16):
-        step(renderer, sky, camera(), 0.0)
-    step(renderer, sky, camera(), 0.03)
-    assert sum(seen is not None for seen in renderer.kept["clouds"].slots) == 16
-    step(renderer, sky, camera(), 500.0)
-    assert sum(seen is not None for seen in renderer.kept["clouds"].slots) == 1
-    assert first.shape == image(renderer)[0].shape
+    for number in (*range(24), -1):
+        left, place = 60 + 8 * (number % 24), camera(8.0 * (number % 24))
+        frame = renderer.prepare(sky, place, size, 0.0, find_view("final"), None, "medium", None)
+        frame.live = number >= 0
+        frame.targets.gbuffer.clear()
+        depth = np.zeros(size[::-1], np.float32)
+        depth[80:180, left : left + 90] = 40.0
+        frame.targets.textures["g_eye_depth"].write(depth.tobytes())
+        weather.draw(frame)
+        frame.targets.picture.clear(*SKY, 1.0)
+        if number == -1:
+            renderer.kept.pop("clouds", None)
+        clouds.draw(frame)
+        pictures = [*pictures[-1:], frame.targets.picture.read(components=3, dtype="f4")]
+    live, full = (np.frombuffer(data, np.float32).reshape(*size[::-1], 3) for data in pictures)
+    error = np.abs(live - full).mean(axis=-1)
+    inside = np.s_[80:180, left : left + 90]
+    ring = np.zeros(error.shape, bool)
+    ring[72:188, left - 8 : left + 98] = True
+    away = np.zeros(error.shape, bool)
+    away[72:188] = ~ring[72:188]
+    ring[inside] = False
+    assert (error[inside] == 0).all()
+    assert error[ring].mean() <= 2 * error[away].mean()
 
 
 def test_what_is_painted_is_marched_in_the_same_frame(renderer, sky):

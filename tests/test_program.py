@@ -25,7 +25,7 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "CO
                           {"VIEW_VALUE": "vec3(rain_at(position.xy, ground.x), 0.0)", "WEATHER": ""},
                           {"VIEW_VALUE": "weather_stage(position.xy)", "WEATHER_STAGE": ""}),
             "sky.glsl": ({}, {"HIGH_CLOUDS": ""}), "lobes.glsl": ({}, {"CLOUDS": "", "HIGH_CLOUDS": ""}),
-            "cloud_resolve.glsl": ({}, {"STILL": ""}, {"MOVED": ""}),
+            "clouds.glsl": ({}, {"CHEAP_STEPS": ""}), "cloud_resolve.glsl": ({}, {"STILL": ""}, {"MOVED": ""}),
             "scatter.glsl": ({"ROCK": ""}, {"WOOD": ""}, {"GRASS": "", "MARK": ""})}  # fmt: skip
 PROGRAMS = [
     (name, defines)

@@ -35,18 +35,16 @@ def draw(frame: Frame) -> None:
 
 
 def make_image(frame: Frame) -> None:
-    """Bring the clouds' own image up to date: a part of it in live pictures, else all."""
+    """The clouds' image of this frame, marched as a whole or a sixteenth and the rest remembered."""
     history = _history(frame)
     values = cloud_uniforms(frame)
     values["u_ray_centre"] = tuple(float(v) for v in -frame.matrices.view[2])  # samples of a picture share one image
 
     def march(image: CloudImage, pixel: tuple[float, float, float]) -> None:
         """March the pixels that `pixel` says (shaders/clouds.glsl) into an image."""
-        shader = frame.shader("clouds.glsl")
-        size = tuple(map(float, history.size))
-        set_uniforms(shader.program, {**values, "u_cloud_size": size, "u_cloud_pixel": pixel})
+        at = {"u_cloud_size": tuple(map(float, history.size)), "u_cloud_pixel": pixel}
         image.framebuffer.use()
-        shader.fullscreen()
+        march_met(frame, values | at)
 
     if frame.live:
         advance(frame, history, march)
@@ -56,6 +54,19 @@ def make_image(frame: Frame) -> None:
         history.settled = len(ORDER)
         frame.stats["clouds_marched"] = history.size[0] * history.size[1]
     frame.textures |= dict(zip(("u_clouds", "u_clouds_depth"), history.image.textures, strict=True))
+
+
+def march_met(frame: Frame, values: dict) -> None:
+    """Cheap steps for all pixels of the target in use, full ones by the depth test for those that meet cloud (Z14)."""
+    ctx = frame.renderer.ctx
+    ctx.enable(ctx.DEPTH_TEST)
+    for defines, passes in (({"CHEAP_STEPS": ""}, "1"), ({}, ">")):
+        ctx.depth_func = passes
+        shader = frame.shader("clouds.glsl", **defines)
+        set_uniforms(shader.program, values)
+        shader.fullscreen()
+    ctx.depth_func = "<"
+    ctx.disable(ctx.DEPTH_TEST)
 
 
 def _history(frame: Frame) -> CloudHistory:

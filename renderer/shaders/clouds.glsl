@@ -1,4 +1,5 @@
-// Clouds into an image of half the picture's sides, or into one of every sixteen of its pixels (Z14, Z16).
+// Clouds into an image of half the picture's sides, or into one of every sixteen of its pixels (Z14, Z16). With CHEAP_STEPS
+// the empty sky, and into the depth buffer where the rest has to be marched: a test of depth skips whole groups of pixels.
 #include "lib/frame.glsl"
 
 #ifdef VERTEX
@@ -20,6 +21,12 @@ void main() {
     vec2 pixel = floor(gl_FragCoord.xy) * u_cloud_pixel.z + u_cloud_pixel.xy + 0.5;
     vec2 clip = pixel / u_cloud_size * 2.0 - 1.0;
     vec3 dir = normalize(u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y);
+#ifdef CHEAP_STEPS
+    Way way = cloud_way(dir, march_start(pixel));
+    out_light = vec4(0.0, 0.0, 0.0, 1.0);
+    out_depth = way.span.x;
+    gl_FragDepth = cloud_first(way, way.span.x, false) < way.span.y ? 0.0 : 1.0;
+#else
     March m = cloud_march(dir, march_start(pixel));
     float alpha = 1.0 - m.transmittance;
     if (alpha > 0.0) {
@@ -28,5 +35,6 @@ void main() {
     }
     out_light = vec4(min(m.light, vec3(60000.0)), m.transmittance);
     out_depth = m.depth_m;
+#endif
 }
 #endif

@@ -45,37 +45,32 @@ float cloud_powder(float depth, float cosine) {
     return mix(1.0, 2.0 * (1.0 - exp(-2.0 * depth)), u_clouds_powder * clamp(0.5 - 0.5 * cosine, 0.0, 1.0));
 }
 
-// Where a sample of the cone stands, from its place; `along` is what of the cone lies before it.
-vec3 cone_place(int i, float along) {
-    float at = along + 0.5 * CONE_M[i];
-    return u_sun_direction * at + CONE_OFF[i] * (0.25 * at);
-}
-
-// Extinction at a place, without the detail noise where `cheap`.
-float cloud_extinction(vec3 p, float altitude, float lod, bool cheap) {
+// Extinction at a place, without the detail noise where that is cheap enough.
+float cloud_extinction(vec3 p, float altitude, float lod, const bool cheap) {
     float h = shell_height(altitude);
     if (h <= 0.0 || h >= 1.0) return 0.0;
     vec2 sheared = cloud_sheared(p.xy, h);
     float base = cloud_base(sheared, altitude, h, cloud_weather(sheared).xyz, lod, 0.0);
+    if (base <= 0.0) return 0.0;
     return cloud_eroded(base, cheap ? 0.5 : cloud_detail(sheared, altitude, h, lod), h);
 }
 
 // Optical depth towards the sun: five samples in a cone and one far away (Z15).
-float cloud_sun_depth(vec3 p, float altitude, float lod, bool cheap) {
+float cloud_sun_depth(vec3 p, float altitude, float lod, const bool cheap) {
     float depth = 0.0, along = 0.0;
-    for (int i = 0; i < CONE && u_cloud_terms_cone; ++i) {
-        vec3 off = cone_place(i, along);
+    int count = u_cloud_terms_cone ? CONE : 0;
+    for (int i = 0; i < count; ++i) {
+        float at = along + 0.5 * CONE_M[i];
+        vec3 off = u_sun_direction * at + CONE_OFF[i] * (0.25 * at);
         depth += cloud_extinction(p + off, altitude + off.z, lod, cheap) * CONE_M[i];
         along += CONE_M[i];
     }
-    if (u_cloud_terms_far) {
-        // what of its length is in the shell: it would else be gone at once where it leaves at the top
-        float room = u_clouds_top_m - altitude - along * u_sun_direction.z;
-        float inside = FAR_M * clamp(room / max(FAR_M * u_sun_direction.z, 1.0), 0.0, 1.0);
-        vec3 off = u_sun_direction * (along + 0.5 * inside);
-        if (inside > 0.0) depth += cloud_extinction(p + off, altitude + off.z, lod + 1.0, true) * inside;
-    }
-    return depth;
+    if (!u_cloud_terms_far) return depth;
+    // what of its length is in the shell: it would else be gone at once where it leaves at the top
+    float room = u_clouds_top_m - altitude - along * u_sun_direction.z;
+    float inside = FAR_M * clamp(room / max(FAR_M * u_sun_direction.z, 1.0), 0.0, 1.0);
+    vec3 off = u_sun_direction * (along + 0.5 * inside);
+    return depth + cloud_extinction(p + off, altitude + off.z, lod + 1.0, true) * inside;
 }
 
 // Share of light that isn't swallowed.
@@ -84,7 +79,7 @@ float cloud_albedo(float precipitation) {
 }
 
 // Radiance that a place scatters into the view, per unit of its own optical depth.
-vec3 cloud_source(vec3 p, float altitude, float h, float precipitation, float cosine, float phase, float lod, bool cheap) {
+vec3 cloud_source(vec3 p, float altitude, float h, float precipitation, float cosine, float phase, float lod, const bool cheap) {
     float swallowed = u_cloud_terms_rain ? 1.0 + 2.0 * u_clouds_rain_absorption * precipitation : 1.0;
     float depth = cloud_sun_depth(p, altitude, lod, cheap) * swallowed;
     vec3 light = u_cloud_sun * ((cloud_beer(depth) * phase + cloud_diffuse(depth)) * cloud_powder(depth, cosine));

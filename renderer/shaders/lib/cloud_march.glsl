@@ -1,4 +1,6 @@
 // The march through the shell (Z12, Z14): cheap steps until cloud, one back, then full ones.
+// Software runs what an `if` guards for every pixel, and the inside of a loop only while some pixel of a group of eight is
+// in it: so whatever may be skipped stands in a loop of its own, and pixels wait there for each other.
 #include "lib/cloud_light.glsl"
 
 uniform float u_cloud_reach_m;    // beyond it there are no clouds
@@ -9,17 +11,33 @@ const float CHEAP = 2.0;          // a cheap step is so many full ones
 const float FINE = 0.5;           // steps inside a cloud, where light changes quickly, against full ones
 const float NEAR_M = 20.0, GROWTH = 0.03;  // within a cloud steps begin with that and grow by this share of the way
 const float SLACK = 0.02;         // of the shape's range: cheap steps take what nearly is a cloud for one
-const float CLEAR_M = 420.0;      // steps in clear air: three texels of the map
-const int EMPTY = 8;              // after so many full samples without cloud the steps are cheap again
+const int EMPTY = 14;             // after so many full samples without cloud the steps are cheap again
 const float OPAQUE = 0.004;       // transmittance at which nothing behind counts
 const int MOST_STEPS = 512;
 const float CHEAP_LIGHT = 0.3;    // opacity from which on light is asked without the detail noise
 
+const float CLEAR_M = 420.0;      // steps in clear air: three texels of the map
+const int ALIKE = 4;              // steps in cheap light that have the one before's
+
 struct March {
     vec3 light;         // premultiplied
     float transmittance;
-    float depth_m;      // mean distance of what is seen
+    float depth_m;      // mean distance of what is seen, of no cloud where the shell begins
     int samples;        // full ones
+};
+
+// A ray through the shell: from where to where, how long its steps get, where in a step (0 … 1) its sample lies.
+struct Way {
+    vec3 dir;
+    vec2 span;
+    float longest, start;
+};
+
+// A place on it.
+struct Air {
+    vec3 p, weather;
+    vec2 sheared;
+    float altitude, h, lod;
 };
 
 // Mip level at which a texel of the shape is as large as a pixel of the image or half a step.
@@ -28,98 +46,122 @@ float cloud_lod(float away, float step_m) {
     return clamp(log2(size / (u_clouds_scale_m / 128.0)), -2.0, 2.5);
 }
 
-// What a ray asks at a distance.
-struct Place {
-    vec3 at;
-    float altitude, h, lod, base;
-    vec2 sheared;
-    vec3 weather;
-};
-
-Place cloud_place(vec3 dir, float t, float step_m, float slack) {
-    Place place;
-    place.at = dir * t;
-    place.altitude = altitude_of(place.at);
-    place.h = shell_height(place.altitude);
-    place.lod = cloud_lod(t, step_m * FINE);
-    place.sheared = cloud_sheared(place.at.xy, place.h);
-    place.weather = cloud_weather(place.sheared).xyz;
-    place.base = cloud_base(place.sheared, place.altitude, place.h, place.weather, place.lod, slack);
-    return place;
-}
-
 // Whether the map has no clouds at a distance: in clear air nothing else is asked.
 bool cloud_free(vec3 dir, float t) {
     vec3 at = dir * t;
     return cloud_weather(cloud_sheared(at.xy, shell_height(altitude_of(at)))).x <= 0.0 && u_cloud_terms_coverage;
 }
 
-// What the steps of one ray share.
-struct Ray {
-    vec3 dir;
-    vec2 span;
-    float longest, begin, cosine, phase;
-    int most;  // full steps without cloud before they are cheap again
-};
+float cloud_step(Way way, float t) { return min(way.longest, max(NEAR_M, GROWTH * t)); }
 
-float step_length(Ray ray, float t) { return min(ray.longest, max(NEAR_M, GROWTH * t)); }
+// Without a shell on the way the span is nothing, far away.
+Way cloud_way(vec3 dir, float start) {
+    vec2 span = shell_span(dir);
+    span = span.x >= span.y ? vec2(u_cloud_reach_m) : min(span, vec2(u_cloud_reach_m));
+    float count = mix(u_cloud_steps.x, u_cloud_steps.y, clamp(1.0 - abs(dir.z) * 2.0, 0.0, 1.0));
+    return Way(dir, span, max((span.y - span.x) / count, 1e-3), start);
+}
 
-// Full steps, as long as there is cloud and more than `until` is seen through it; `cheap` light or dear, as written.
-void full_steps(Ray ray, inout March m, inout float t, inout float weight, inout int steps, float until, bool cheap) {
-    for (int empty = 0; empty < ray.most && steps < MOST_STEPS && t < ray.span.y && m.transmittance >= until; ++steps) {
-        float full = step_length(ray, t), extinction = 0.0;
-        Place p = cloud_place(ray.dir, t, full, 0.0);
-        if (p.base > 0.0) {
-            extinction = cloud_eroded(p.base, cloud_detail(p.sheared, p.altitude, p.h, p.lod), p.h);
-            extinction *= 1.0 - smoothstep(0.6, 1.0, t / u_cloud_reach_m);
+// The sample of the full step that begins at t.
+Air cloud_air(Way way, float t) {
+    Air air;
+    air.p = way.dir * (t + cloud_step(way, t) * FINE * way.start);
+    air.altitude = altitude_of(air.p);
+    air.h = shell_height(air.altitude);
+    air.lod = cloud_lod(t, cloud_step(way, t) * FINE);
+    air.sheared = cloud_sheared(air.p.xy, air.h);
+    air.weather = cloud_weather(air.sheared).xyz;
+    return air;
+}
+
+// By cheap steps to where full ones begin: one back from the first that meets cloud. At the way's end there is none.
+// `met_before` when that is here.
+float cloud_first(Way way, float t, bool met_before) {
+    float back = t;
+    bool met = met_before || !u_cloud_terms_cheap_steps;
+    for (int i = 0; i < MOST_STEPS; ++i) {
+        float jump = 0.0, full = cloud_step(way, t);
+        for (int j = 0; j < MOST_STEPS; ++j) {
+            if (met || t >= way.span.y || !cloud_free(way.dir, t)) break;
+            full = cloud_step(way, t);
+            jump = max(full * CHEAP, CLEAR_M);
+            t += jump;
         }
-        if (extinction > 0.0) {
+        t -= max(jump - full * CHEAP, 0.0);
+        for (int j = 0; j < MOST_STEPS; ++j) {
+            if (met || t >= way.span.y) break;
+            Air air = cloud_air(way, t);
+            met = cloud_base(air.sheared, air.altitude, air.h, air.weather, air.lod, SLACK) > 0.0;
+            t += met ? cloud_step(way, t) * (FINE - CHEAP) : cloud_step(way, t) * CHEAP;
+            if (air.weather.x <= 0.0) break;
+        }
+        if (met || t >= way.span.y) break;
+    }
+    return max(t, back);
+}
+
+float cloud_extinction_in(Air air, float t) {
+    float base = cloud_base(air.sheared, air.altitude, air.h, air.weather, air.lod, 0.0);
+    if (base <= 0.0) return 0.0;
+    float faded = 1.0 - smoothstep(0.6, 1.0, t / u_cloud_reach_m);
+    return cloud_eroded(base, cloud_detail(air.sheared, air.altitude, air.h, air.lod), air.h) * faded;
+}
+
+// A step's own part of the march. Energy-conserving: its transmittance is integrated, not taken at its start.
+void cloud_add(vec3 source, float extinction, float t, float step_m, inout March m) {
+    float through = exp(-extinction * step_m), seen = m.transmittance * (1.0 - through);
+    m.light += source * seen;
+    m.depth_m += t * seen;
+    m.transmittance *= through;
+    m.samples += int(extinction > 0.0);
+}
+
+// Steps until a transmittance is left: cheap ones until cloud unless one was `met`, full ones there. Their light is
+// detailed, or cheap: without detail noise, and some steps have that of the one before.
+void cloud_until(float until, Way way, float cosine, float phase, const bool cheap, inout March m, inout float t, inout bool met) {
+    for (int k = 0; k < MOST_STEPS; ++k) {
+        t = cloud_first(way, t, met || m.transmittance < until);
+        int empty = 0, more = int(u_cloud_terms_cheap_steps);
+        for (int i = 0; i < MOST_STEPS; ++i) {
+            if (t >= way.span.y || m.transmittance < until || empty >= EMPTY) break;
+            Air air;
+            float extinction;
+            for (int j = 0; j < MOST_STEPS; ++j) {
+                air = cloud_air(way, t);
+                extinction = cloud_extinction_in(air, t);
+                if (extinction > 0.0 || empty >= EMPTY || t >= way.span.y) break;
+                empty += more;
+                t += cloud_step(way, t) * FINE;
+            }
+            if (extinction <= 0.0 || t >= way.span.y) continue;
+            float step_m = min(cloud_step(way, t) * FINE, way.span.y - t);
+            vec3 source = cloud_source(air.p, air.altitude, air.h, air.weather.y, cosine, phase, air.lod, cheap);
+            cloud_add(source, extinction, t, step_m, m);
             empty = 0;
-            ++m.samples;
-            float through = exp(-extinction * full * FINE);
-            vec3 source = cloud_source(p.at, p.altitude, p.h, p.weather.y, ray.cosine, ray.phase, p.lod, cheap);
-            // energy-conserving: the step's own transmittance integrated, not taken at its start
-            float seen = m.transmittance * (1.0 - through);
-            m.light += source * seen;
-            m.depth_m += t * seen;
-            weight += seen;
-            m.transmittance *= through;
-        } else ++empty;
-        t += full * FINE;
+            t += step_m;
+            for (int j = 0; j < (cheap ? ALIKE : 0); ++j) {
+                if (t >= way.span.y || m.transmittance < until) break;
+                step_m = min(cloud_step(way, t) * FINE, way.span.y - t);
+                extinction = cloud_extinction_in(cloud_air(way, t), t);
+                cloud_add(source, extinction, t, step_m, m);
+                if (extinction <= 0.0) empty += more;
+                t += step_m;
+            }
+        }
+        met = empty < EMPTY;
+        if (t >= way.span.y || m.transmittance < until) break;
     }
 }
 
-// `start` 0 … 1: where in the first step it begins. Clear air, cheap steps, full ones with dear and with cheap light are
-// loops of their own: software OpenGL runs what stands in a branch for every pixel, a loop only while some pixel is in it.
+// `start` 0 … 1: where in each step it looks; steps themselves leave nothing out and count nothing twice.
 March cloud_march(vec3 dir, float start) {
     March m = March(vec3(0.0), 1.0, 0.0, 0);
-    vec2 span = shell_span(dir);
-    if (span.x >= span.y || span.x >= u_cloud_reach_m) return m;
-    span.y = min(span.y, u_cloud_reach_m);
-    float count = mix(u_cloud_steps.x, u_cloud_steps.y, clamp(1.0 - abs(dir.z) * 2.0, 0.0, 1.0));
-    float longest = (span.y - span.x) / count, first = min(longest, max(NEAR_M, GROWTH * span.x));
-    float begin = span.x + first * FINE * start, t = begin, weight = 0.0, cosine = dot(dir, u_sun_direction);
-    float dear_until = u_cloud_terms_cheap_light ? 1.0 - CHEAP_LIGHT : OPAQUE;
-    int most = u_cloud_terms_cheap_steps ? EMPTY : MOST_STEPS, steps = 0;
-    Ray ray = Ray(dir, span, longest, begin, cosine, cloud_phase(cosine), most);
-    while (steps < MOST_STEPS && t < span.y && m.transmittance >= OPAQUE) {
-        while (u_cloud_terms_cheap_steps && t < span.y) {
-            float jump = 0.0, full = step_length(ray, t);
-            while (t < span.y && cloud_free(dir, t)) {
-                jump = max(full * CHEAP, CLEAR_M);
-                t += jump;
-            }
-            t -= max(jump - full * CHEAP, 0.0);
-            if (cloud_place(dir, t, full, SLACK).base > 0.0) {
-                t = max(t - full * (CHEAP - FINE), begin);
-                break;
-            }
-            t += full * CHEAP;
-        }
-        if (m.transmittance >= dear_until) full_steps(ray, m, t, weight, steps, dear_until, false);
-        if (m.transmittance < dear_until) full_steps(ray, m, t, weight, steps, OPAQUE, true);
-    }
-    m.depth_m = weight > 0.0 ? m.depth_m / weight : span.x;
+    Way way = cloud_way(dir, start);
+    float cosine = dot(dir, u_sun_direction), phase = cloud_phase(cosine), t = way.span.x;
+    bool met = false;
+    cloud_until(u_cloud_terms_cheap_light ? 1.0 - CHEAP_LIGHT : OPAQUE, way, cosine, phase, false, m, t, met);
+    cloud_until(OPAQUE, way, cosine, phase, true, m, t, met);
+    m.depth_m = m.transmittance < 1.0 ? m.depth_m / (1.0 - m.transmittance) : way.span.x;
     if (m.transmittance < OPAQUE) {
         m.light /= 1.0 - m.transmittance;
         m.transmittance = 0.0;
