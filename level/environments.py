@@ -4,11 +4,7 @@ never matters. They set nothing that shapes waves: a sculpted shore keeps its ti
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from typing import Any
-
-from .errors import BadInput
-from .params import get, replace
+from .presets import Preset, applied, name_of, named
 from .settings import Settings
 
 TOUCHED = (
@@ -19,25 +15,17 @@ TOUCHED = (
 )  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Environment:
-    name: str
-    label: str
-    doc: str
-    values: dict[str, Any]
-
-
 def _row(
     name: str, label: str, doc: str, sun: tuple[float, float], ev: float, turbidity: float = 2.6, body: str = "sun",
     clouds: tuple[float, float] = (0.0, 12.0), fog: tuple[float, float] = (0.00002, 350.0), white_k: float = 5600,
     wind_mps: float = 5.0, weather: tuple[float, float, float] = (0.38, 0.0, 0.9),
-) -> Environment:  # fmt: skip
+) -> Preset:  # fmt: skip
     """`clouds` is the layer without clouds in volume, `weather` what those are made of where they are on."""
     values = ("angles", *sun, body, turbidity, *clouds, ev, white_k, True, *fog, wind_mps, *weather)
-    return Environment(name, label, doc, dict(zip(TOUCHED, values, strict=True)))
+    return Preset(name, label, doc, dict(zip(TOUCHED, values, strict=True)))
 
 
-ENVIRONMENTS: dict[str, Environment] = {
+ENVIRONMENTS: dict[str, Preset] = {
     row.name: row
     for row in (
         _row("noon", "Noon", "High sun, clear air, a breeze.", (205.0, 56.0), 14.5),
@@ -58,16 +46,9 @@ ENVIRONMENTS: dict[str, Environment] = {
 
 def environment_settings(settings: Settings, name: str) -> Settings:
     """The settings under an environment; BadInput lists them when there is none of that name."""
-    if name not in ENVIRONMENTS:
-        raise BadInput(f"no environment is called {name!r}; there are: {', '.join(ENVIRONMENTS)}")
-    for path, value in ENVIRONMENTS[name].values.items():
-        settings = replace(settings, path, value)
-    return settings
+    return applied(settings, named(ENVIRONMENTS, name, "environment"))
 
 
 def environment_of(settings: Settings) -> str:
     """The name of the environment that settings are exactly under, "" for none."""
-    for row in ENVIRONMENTS.values():
-        if all(get(settings, path) == value for path, value in row.values.items()):
-            return row.name
-    return ""
+    return name_of(ENVIRONMENTS, settings)

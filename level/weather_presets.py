@@ -6,10 +6,7 @@ waves, stay as the level has them: a sculpted shore keeps its timing.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
-from .errors import BadInput
-from .params import get, replace
+from .presets import Preset, applied, name_of, named
 from .settings import Settings
 
 WAVES = ("sea.swell_m", "sea.swell_length_m", "sea.chop_m", "sea.chop_length_m")
@@ -18,14 +15,6 @@ TOUCHED = (
     *WAVES, "sea.wind_mps", "weather.wind_mps", *SKY, "weather.variety", "weather.horizon_coverage",
     "weather.horizon_type", "weather.temperature_c", "weather.rain_mm_h", "storm.chance", "flow.points",
 )  # fmt: skip
-
-
-@dataclass(frozen=True)
-class Preset:
-    name: str
-    label: str
-    doc: str
-    values: dict[str, float]
 
 
 def _row(name: str, label: str, doc: str, waves: tuple, wind: tuple, sky: tuple, rest: tuple) -> Preset:
@@ -56,21 +45,14 @@ WEATHERS: dict[str, Preset] = {
 
 def preset(name: str) -> Preset:
     """A row by its name; BadInput lists them when there is none."""
-    if name not in WEATHERS:
-        raise BadInput(f"no weather is called {name!r}; there are: {', '.join(WEATHERS)}")
-    return WEATHERS[name]
+    return named(WEATHERS, name, "weather")
 
 
 def weather_settings(settings: Settings, name: str) -> Settings:
     """The settings under a weather."""
-    for path, value in preset(name).values.items():
-        settings = replace(settings, path, value)
-    return settings
+    return applied(settings, preset(name))
 
 
 def weather_of(settings: Settings) -> str:
     """The name of the weather that settings are exactly under, "" for none."""
-    for row in WEATHERS.values():
-        if all(get(settings, path) == value for path, value in row.values.items()):
-            return row.name
-    return ""
+    return name_of(WEATHERS, settings)

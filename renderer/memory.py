@@ -50,7 +50,7 @@ def _kept(renderer) -> Iterator[tuple[str, object]]:
         for owner in held.values() if isinstance(held, dict) else [held]:
             for texture in getattr(owner, "textures", None) or [getattr(owner, "texture", None)]:
                 if texture is not None:
-                    yield type(owner).__name__.lower(), texture
+                    yield getattr(owner, "name", type(owner).__name__.lower()), texture
 
 
 def _texel_bytes(texture) -> int:

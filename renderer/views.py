@@ -61,8 +61,6 @@ VIEWS: dict[str, View] = {
              "vec3(prop_visibility(position))", ids="L03"),
         View("cloud_shadow", "Shadow of clouds", "White where the sun comes through the clouds.",
              "vec3(mix(0.1 * s.open, 1.0, cloud_visibility(position)))", ids="Z19", settings=(("clouds.on", True),)),
-        View("rain", "Rain", "How much falls at each place, 30 mm/h to white; land in dark grey.",
-             "vec3(0.06 * on_land + rain_rate(position.xy) / 30.0)", ids="Z18 Z24", settings=(("clouds.on", True),)),
         View("cirrus", "Cirrus", "Ice high over each place.", "vec3(cirrus_at(position.xy, 0.0))", ids="Z13",
              settings=(("clouds.on", True),)),
         View("alto", "Altocumulus", "Small heaps high over each place; land in dark grey.",

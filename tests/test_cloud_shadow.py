@@ -28,7 +28,7 @@ def clouded(*values):
 def shadow_map(renderer, level, time_s=0.0, **options):
     renderer.draw(level, camera(), SIZE, time_s=time_s, quality="low", **options)
     made = renderer.kept["cloud_shadow"]
-    return np.frombuffer(made.texture.read(alignment=1), np.float16).reshape(made.side, made.side).astype(np.float64)
+    return np.frombuffer(made.texture.read(alignment=1), np.float16).reshape(*made.size).astype(np.float64)
 
 
 def test_a_closed_layer_lets_through_what_beer_says(renderer):
@@ -121,11 +121,11 @@ def test_a_calm_sea_mirrors_clouds(renderer):
     level = clouded(("weather.coverage", 0.6), ("fog.on", False), ("clouds.cirrus", 0.0), ("clouds.alto", 0.0))
     renderer.draw(level, camera(), SIZE, quality="low")
     atlas, dome = renderer.kept["lobes"].texture, renderer.kept["cloud_dome"]
-    clouds = np.frombuffer(dome.texture.read(alignment=1), np.float16).reshape(dome.side, dome.side, 4)
+    clouds = np.frombuffer(dome.texture.read(alignment=1), np.float16).reshape(dome.size[0], dome.size[0], 4)
     assert clouds[..., 3].min() < 0.1 < 0.9 < clouds[..., 3].max()
     with_clouds = atlas.read(alignment=1)
     up = np.frombuffer(with_clouds, np.float16).reshape(*atlas.size[::-1], 4)[95:97, 95:97, :3].mean((0, 1))
-    middle = slice(dome.side // 2 - 1, dome.side // 2 + 1)
+    middle = slice(dome.size[0] // 2 - 1, dome.size[0] // 2 + 1)
     overhead = clouds[middle, middle].astype(np.float64).mean((0, 1))
     clear = renderer.sky.light.table[-1].mean(0)
     np.testing.assert_allclose(up, clear * overhead[3] + overhead[:3], rtol=0.1)

@@ -150,7 +150,6 @@ def test_views_compile_with_at_most_16_samplers(ctx):
             defines = {"LAYER": ""} if view.layer else {"WALKABLE": ""} if view.name == "walkable" else {}
             defines |= {"SHORE_FIELD": ""} if "shore_field" in view.value else {}
             defines |= {"HIGH_CLOUDS": ""} if "cirrus_at" in view.value or "alto_at" in view.value else {}
-            defines |= {"RAIN": ""} if "rain_rate" in view.value else {}
             defines |= {"PATCHES": ""} if "patch_colour" in view.value else {}
             defines |= {"WEATHER_STAGE": ""} if "weather_stage" in view.value else {}
             defines |= {"WEATHER": ""} if "rain_at" in view.value or "weather_map" in view.value else {}

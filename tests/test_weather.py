@@ -28,7 +28,7 @@ def map_of(renderer, level, time_s, camera, stage):
     from shorewright.renderer.views import find_view
 
     frame = renderer.prepare(level, camera, (64, 36), time_s, find_view("final"), None, "low", None)
-    made = renderer.kept.get("test") or renderer.kept.setdefault("test", weather.WeatherMap(renderer.ctx))
+    made = weather.weather_kept(frame, "test")
     weather.make_map(frame, made, stage)
     return np.frombuffer(made.texture.read(), np.float16).reshape(SIDE, SIDE, 4).astype(np.float32)
 

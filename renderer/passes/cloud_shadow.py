@@ -10,29 +10,14 @@ import numpy as np
 
 from ...level.weather import TILE_M, drift_m
 from ..frame import Frame
+from ..kept_map import KeptMap, at_whole, kept_map
 from ..uniforms import set_uniforms
-from .cloud_dome import at_whole, bind_weather_of
+from .cloud_dome import bind_weather_of
 from .clouds import air_uniforms, bind_cloud_textures, shown
 
 REACH_M = 8000.0  # half the map's side
 EVERY_S = 1.0
 LOWEST_SUN = 0.08  # sine of the elevation below which shadows grow no longer
-
-
-class CloudShadow:
-    """The texture, R16F transmittance, and what it was made for."""
-
-    def __init__(self, ctx, side: int) -> None:
-        self.side = side
-        self.texture = ctx.texture((side, side), 1, dtype="f2")
-        self.texture.filter = ctx.LINEAR, ctx.LINEAR
-        self.texture.repeat_x = self.texture.repeat_y = False
-        self.framebuffer = ctx.framebuffer([self.texture])
-        self.key: tuple = ()
-
-    def release(self) -> None:
-        self.framebuffer.release()
-        self.texture.release()
 
 
 def falls(frame: Frame) -> bool:
@@ -46,11 +31,8 @@ def falls(frame: Frame) -> bool:
 def draw(frame: Frame) -> None:
     if not falls(frame):
         return
-    made, side = frame.renderer.kept.get("cloud_shadow"), frame.tier.cloud_shadow[0]
-    if made is None or made.side != side:
-        if made is not None:
-            made.release()
-        made = frame.renderer.kept["cloud_shadow"] = CloudShadow(frame.renderer.ctx, side)
+    side = frame.tier.cloud_shadow[0]
+    made = kept_map(frame, "cloud_shadow", (side, side), 1)
     texel = 2 * REACH_M / side
     whole = at_whole(frame, EVERY_S, 8 * texel)
     middle = whole.matrices.position[:2]
@@ -70,7 +52,7 @@ def draw(frame: Frame) -> None:
     _make(whole, made, sine, frame.stats)
 
 
-def _make(frame: Frame, made: CloudShadow, sine: float, stats: dict) -> None:
+def _make(frame: Frame, made: KeptMap, sine: float, stats: dict) -> None:
     bind_cloud_textures(frame)
     weather = bind_weather_of(frame, "weather_shadow")
     level, middle = frame.level, tuple(float(v) for v in frame.matrices.position[:2])
@@ -83,7 +65,7 @@ def _make(frame: Frame, made: CloudShadow, sine: float, stats: dict) -> None:
         "u_shadow_steps": frame.tier.cloud_shadow[1],
         "u_shadow_sine": sine,
         "u_shadow_reach_m": REACH_M,
-        "u_shadow_texels": float(made.side),
+        "u_shadow_texels": float(made.size[0]),
     }
     settings = level.settings
     key = (*values.values(), frame.uniforms["u_cloud_shadow_slant"], weather, settings.clouds,
@@ -94,4 +76,4 @@ def _make(frame: Frame, made: CloudShadow, sine: float, stats: dict) -> None:
     set_uniforms(shader.program, values)
     shader.fullscreen()
     made.key = key
-    stats["cloud_shadows"] = made.side**2
+    stats["cloud_shadows"] = made.size[0] ** 2

@@ -9,32 +9,18 @@ import numpy as np
 
 from ..frame import Frame
 from ..high_layers import bind_high
+from ..kept_map import KeptMap, at_whole, kept_map
 from ..uniforms import set_uniforms
-from .cloud_dome import EVERY_M, EVERY_S, EYE_M, at_whole
+from .cloud_dome import EVERY_M, EVERY_S, EYE_M
 from .clouds import shown
 
 SIZES = (192, 64, 32, 32, 16, 16)  # lib/lobes.glsl has the same
 GROUND_ALBEDO = 0.13  # of what lies below the horizon: half sea, half land
 
 
-class Lobes:
-    """The texture and what it was made for."""
-
-    def __init__(self, ctx) -> None:
-        self.texture = ctx.texture((max(SIZES), sum(SIZES)), 4, dtype="f2")
-        self.texture.filter = ctx.LINEAR, ctx.LINEAR
-        self.texture.repeat_x = self.texture.repeat_y = False
-        self.framebuffer = ctx.framebuffer([self.texture])
-        self.key: tuple = ()
-
-    def release(self) -> None:
-        self.framebuffer.release()
-        self.texture.release()
-
-
 def draw(frame: Frame) -> None:
     kept, sky = frame.renderer.kept, frame.renderer.sky
-    lobes = kept.get("lobes") or kept.setdefault("lobes", Lobes(frame.renderer.ctx))
+    lobes = kept_map(frame, "lobes", (max(SIZES), sum(SIZES)))
     cirrus = float("clouds" in frame.show and not sky.light.even and not frame.level.settings.clouds.on)
     dome, defines, drawn = None, {}, frame
     if shown(frame):  # as the dome is: for a while and a place
@@ -53,7 +39,7 @@ def draw(frame: Frame) -> None:
     frame.textures["u_lobes"] = lobes.texture
 
 
-def _make(frame: Frame, lobes: Lobes, shader, cirrus: float) -> None:
+def _make(frame: Frame, lobes: KeptMap, shader, cirrus: float) -> None:
     light, direction = frame.renderer.sky.light, frame.uniforms["u_sun_direction"]
     down = light.on_level(max(float(direction[2]), 0.0))
     ground = np.ones(3) if light.even else down * GROUND_ALBEDO / np.pi

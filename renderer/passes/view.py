@@ -36,8 +36,6 @@ def bind_view(frame: Frame, view: View) -> dict[str, str]:
         defines["SHORE_FIELD"] = ""
         frame.textures["u_shore_field"] = uploader.shore_field(frame.level)
         frame.uniforms |= shore_field_uniforms(frame.level)
-    if "rain_rate" in view.value:
-        defines["RAIN"] = ""
     if "cirrus_at" in view.value or "alto_at" in view.value:
         defines["HIGH_CLOUDS"] = ""
         bind_patterns(frame, frame.renderer.kept)

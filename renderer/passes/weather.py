@@ -5,45 +5,39 @@ from __future__ import annotations
 from ...level.shots import shots_at
 from ...level.weather import SIDE, STAGES, shot_uniforms, weather_noise, weather_uniforms
 from ..frame import Frame
+from ..kept_map import KeptMap, at_whole, kept_map
 from ..uniforms import set_uniforms
 
-
-class WeatherMap:
-    """The texture and what it was made for."""
-
-    def __init__(self, ctx) -> None:
-        self.texture = ctx.texture((SIDE, SIDE), 4, dtype="f2")
-        self.texture.filter = ctx.LINEAR, ctx.LINEAR
-        self.framebuffer = ctx.framebuffer([self.texture])
-        self.key: tuple = ()
-        self.skies: tuple = ()  # names of those of shots
-
-    def release(self) -> None:
-        self.framebuffer.release()
-        self.texture.release()
+EVERY_S = 0.5  # the map is that of whole multiples of this time
+EVERY_M = 32.0  # and, for the horizon round the camera, of places so far apart
 
 
 def draw(frame: Frame) -> None:
+    """For a while and a place: in that time the air goes a small part of a texel (137 m)."""
     if not frame.level.settings.clouds.on:
         return
-    bind_map(frame)
+    whole = at_whole(frame, EVERY_S, EVERY_M)
+    bind_map(whole)
+    frame.textures["u_weather"] = whole.textures["u_weather"]
 
 
 def bind_map(frame: Frame, stage: str = "final") -> None:
     """Put the map as it is after one of STAGES where shaders read it, with clouds or without."""
-    held, name = frame.renderer.kept, f"weather_{stage}"
-    made = held.get(name) or held.setdefault(name, WeatherMap(frame.renderer.ctx))
+    made = weather_kept(frame, f"weather_{stage}")
     make_map(frame, made, stage)
     frame.textures["u_weather" if stage == "final" else "u_weather_stage"] = made.texture
 
 
-def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
+def weather_kept(frame: Frame, name: str) -> KeptMap:
+    """A weather map kept under a name."""
+    return kept_map(frame, name, (SIDE, SIDE), repeat=True)
+
+
+def make_map(frame: Frame, made: KeptMap, stage: str) -> None:
     """Bring a map up to date as it is after one of STAGES."""
     level, uploader = frame.level, frame.renderer.uploader
     values = weather_uniforms(level, frame.time_s, frame.camera.id)
     shader = frame.shader("weather.glsl", **bind_weather(frame, values))
-    if made.skies != (skies := (uploader.seen["u_weather_shot_a"], uploader.seen["u_weather_shot_b"])):
-        made.key, made.skies = (), skies
     camera = tuple(float(v) for v in frame.matrices.position[:2])
     key = (
         *(v.tobytes() if hasattr(v, "tobytes") else v for v in values.values()),
@@ -52,6 +46,8 @@ def make_map(frame: Frame, made: WeatherMap, stage: str) -> None:
         level.settings.level.seed,
         level.layers["weather"],
         uploader.seen["layer_weather"],
+        uploader.seen["u_weather_shot_a"],
+        uploader.seen["u_weather_shot_b"],
         shader.generation,
     )
     if made.key == key:

@@ -7,7 +7,7 @@ void main() { fullscreen_triangle(); }
 
 #ifdef FRAGMENT
 #include "lib/fog.glsl"
-#include "lib/rain_rate.glsl"
+#include "level/rain.glsl"
 #include "lib/rain_near.glsl"
 uniform sampler2D g_eye_depth;
 uniform sampler2D u_clouds;
@@ -22,7 +22,7 @@ const float SHAFT_REACH_M = 34000.0, FOLD_M = 7800.0, SNOW_THICK = 3.0;
 // Extinction 1/m about a place, over a step: 0.21 km⁻¹ R^0.68 (Atlas 1953), folded by what the cloud sheds more and less of.
 float shaft_extinction(vec2 xy, float height, float step_m) {
     vec2 source = xy - u_rain_trail * (u_clouds_base_m - height);
-    float rate = rain_rate(source);
+    float rate = falls_at(source);
     if (rate <= 0.0) return 0.0;
     vec2 at = (source - u_rain_drift) / FOLD_M;
     float lod = clamp(log2(step_m / 240.0), 0.0, 3.0);  // folds finer than the steps would only be noise
@@ -73,7 +73,7 @@ void main() {
         vec4 over = textureLod(u_clouds, gl_FragCoord.xy / u_size, 0.0);
         sum = vec4(sum.rgb * over.a, mix(1.0, sum.a, over.a));
     }
-    float rate = eye < u_clouds_base_m ? rain_rate(u_camera.xy) : 0.0;
+    float rate = eye < u_clouds_base_m ? falls_at(u_camera.xy) : 0.0;
     if (rate > 0.0) {
         float hidden = rain_near(dir, rate, snow_share(eye), away, u_pixel_angle);
         vec3 light = sky_irradiance(vec3(0.0, 0.0, 1.0)) / PI_SKY * mix(0.85, 1.0, snow_share(eye));

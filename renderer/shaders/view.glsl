@@ -32,9 +32,6 @@ uniform sampler2D u_walkable;
 #ifdef HIGH_CLOUDS
 #include "lib/high_clouds.glsl"
 #endif
-#ifdef RAIN
-#include "lib/rain_rate.glsl"
-#endif
 #ifdef SHORE_FIELD
 #include "lib/shore_field.glsl"
 #endif
