@@ -56,8 +56,8 @@ class Clouds(Section):
     rain_absorption: float = param(0.35, 0, 1, "", "Share of light that rain clouds swallow.")
     ambient: float = param(1.0, 0, 4, "×", "Light from the sky and the ground.", soft=(0, 2))
     shadows: float = param(0.85, 0, 1, "", "How dark the shadows of clouds are on land and sea.")
-    cirrus: float = param(0.35, 0, 1, "", "Cover of the high veils of ice.")
-    alto: float = param(0.08, 0, 1, "", "Cover of the small high heaps.")
+    cirrus: float = param(0.25, 0, 1, "", "Cover of the high veils of ice.")
+    alto: float = param(0.12, 0, 1, "", "Cover of the small high heaps.")
     high_m: float = param(7500.0, 1000, 20_000, "m", "Height of those layers.", soft=(4000, 12_000))
     high_mps: float = param(22.0, -100, 100, "m/s", "Wind up there.", soft=(0, 60))
 

@@ -6,7 +6,7 @@ from pictures import LAYER, SMALL, Shot
 
 SKY = "500,200,30,300,18"
 AIR = {"clouds.on": True, "weather.painted": False}
-HALF = {**AIR, "weather.coverage": 0.5, "weather.type": 0.9, "weather.precipitation": 0.1}
+HALF = {**AIR, "weather.coverage": 0.3, "weather.type": 1.0, "weather.variety": 0.4}
 FAIR = {**AIR, "weather.coverage": 0.36, "weather.type": 1.0}
 NOISES = (
     "cloud_perlin", "cloud_worley", "cloud_perlin_worley", "cloud_worley_2", "cloud_worley_3", "cloud_detail_1",
@@ -21,7 +21,6 @@ TYPES = {
     "stratus": {"weather.type": 0.0, "weather.coverage": 0.75},
     "stratocumulus": {"weather.type": 0.5, "weather.coverage": 0.65},
     "cumulus": {"weather.type": 1.0, "weather.coverage": 0.45},
-    "cumulonimbus": {"weather.type": 1.0, "weather.coverage": 0.6, "weather.precipitation": 0.6},
 }
 CLOUDS = (
     *(Shot(f"clouds/{view}", "cove", SKY, 14.0, "noon", view, LAYER, HALF) for view in (*NOISES, *STAGES)),
@@ -29,6 +28,9 @@ CLOUDS = (
         Shot(f"clouds/{name}", "cove", SKY, 14.0, "noon", "final", LAYER, {**AIR, "weather.variety": 0.3, **values})
         for name, values in TYPES.items()
     ),
+    # seen from aside: below one there is only rain
+    Shot("clouds/cumulonimbus", "cove", "500,200,30,235,9", 14.0, "noon", "final", LAYER,
+         {**AIR, "weather.coverage": 0.25, "storm.chance": 1.0, "storm.distance_m": 10_000.0}),
     *(
         Shot(f"clouds/cover-{round(100 * cover)}", "cove", SKY, 14.0, "noon", "final", LAYER,
              {**AIR, "weather.coverage": cover, "weather.type": 1.0})

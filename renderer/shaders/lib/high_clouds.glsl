@@ -36,5 +36,7 @@ float alto_at(vec2 xy, float lod) {
     float ripples = high_pattern(xy - u_high_moved_heaps.xy, RIPPLES_M, lod, 2);
     float heaps = high_pattern(xy - u_high_moved_heaps.xy, HEAPS_M, lod, 3);
     float lumps = mix(ripples, heaps, smoothstep(0.4, 0.6, field));
-    return 2.2 * smoothstep(0.75 - 0.65 * there, 1.25 - 0.45 * there, lumps);
+    // thin at the rim and all the way in: a hard edge would look like torn paper
+    float inner = clamp((lumps - 0.75 + 0.65 * there) / (0.75 + 0.1 * there), 0.0, 1.0);
+    return 1.3 * inner * inner;
 }
