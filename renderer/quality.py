@@ -39,6 +39,7 @@ class Tier:
     openness_size: int  # samples a side of the map of the open sky
     openness_ways: int  # horizons a sample
     cloud_steps: tuple[float, float]  # of the march through the clouds, overhead and at the horizon (Z14)
+    shaft_steps: int  # of the march through curtains of rain (Z18)
     cloud_dome: int  # samples a side of the clouds as the sea mirrors them
     cloud_shadow: tuple[int, int]  # samples a side of the clouds' shadow, steps through them (Z19)
 
@@ -69,6 +70,7 @@ _LIGHT = _columns(
     openness_ways=(8, 12, 16),
 )
 _CLOUDS = _columns(
+    shaft_steps=(12, 32, 48),
     cloud_steps=((40.0, 64.0), (64.0, 128.0), (96.0, 192.0)),
     cloud_dome=(64, 96, 128),
     cloud_shadow=((160, 10), (256, 14), (384, 20)),

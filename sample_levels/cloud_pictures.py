@@ -8,6 +8,10 @@ SKY = "500,200,30,300,18"
 AIR = {"clouds.on": True, "weather.painted": False}
 HALF = {**AIR, "weather.coverage": 0.3, "weather.type": 1.0, "weather.variety": 0.4}
 FAIR = {**AIR, "weather.coverage": 0.36, "weather.type": 1.0}
+ON_ITS_WAY = {
+    **AIR, "weather.coverage": 0.25, "weather.type": 1.0, "storm.chance": 1.0, "storm.distance_m": 16_000.0,
+    "weather.wind_mps": 30.0, "weather.heading_deg": 70.0,
+}  # fmt: skip
 NOISES = (
     "cloud_perlin", "cloud_worley", "cloud_perlin_worley", "cloud_worley_2", "cloud_worley_3", "cloud_detail_1",
     "cloud_detail_2", "cloud_detail_3", "cloud_curl", "cloud_profile",
@@ -29,8 +33,7 @@ CLOUDS = (
         for name, values in TYPES.items()
     ),
     # seen from aside: below one there is only rain
-    Shot("clouds/cumulonimbus", "cove", "500,200,30,235,9", 14.0, "noon", "final", LAYER,
-         {**AIR, "weather.coverage": 0.25, "storm.chance": 1.0, "storm.distance_m": 10_000.0}),
+    Shot("clouds/cumulonimbus", "cove", "500,200,30,250,5", 60.0, "noon", "final", LAYER, ON_ITS_WAY),
     *(
         Shot(f"clouds/cover-{round(100 * cover)}", "cove", SKY, 14.0, "noon", "final", LAYER,
              {**AIR, "weather.coverage": cover, "weather.type": 1.0})
@@ -41,8 +44,7 @@ CLOUDS = (
          settings={**FAIR, "weather.coverage": 0.45}),
     *(
         Shot(f"clouds/storm-{number}", "cove", "620,470,7.2,250,8", time_s, "noon", size=SMALL,
-             settings={**FAIR, "storm.chance": 1.0, "storm.distance_m": 16_000.0, "weather.wind_mps": 30.0,
-                       "weather.heading_deg": 70.0})
+             settings={**ON_ITS_WAY, **FAIR})
         for number, time_s in enumerate((60.0, 240.0, 420.0, 600.0), 1)
     ),
 )  # fmt: skip

@@ -52,6 +52,7 @@ def rain_uniforms(frame: Frame) -> dict:
     fallen = np.array([rain.fall_mps, rain.flake_mps]) * frame.time_s + float(frame.matrices.position[2])
     trail = SHEARED * weather.wind_mps / rain.fall_mps * way
     return {
+        "u_shaft_steps": frame.tier.shaft_steps,
         "u_rain_fallen": tuple(fallen[0] / DROP_ROWS_M % ROWS),
         "u_flakes_fallen": tuple(fallen[1] / FLAKE_ROWS_M % ROWS),
         "u_flakes_swirl": frame.time_s / SWIRL_S % 1.0,

@@ -14,9 +14,9 @@ uniform sampler2D u_clouds;
 uniform float u_clouds_base_m, u_rain_shafts;
 uniform vec2 u_rain_drift;     // metres that the curtains' folds have moved
 uniform vec2 u_rain_trail;     // metres that rain is behind its cloud, a metre below the base
+uniform int u_shaft_steps;
 out vec4 out_radiance;         // blended: light + transmittance × what is there
 
-const int SHAFT_STEPS = 14;
 const float SHAFT_REACH_M = 34000.0, FOLD_M = 7800.0, SNOW_THICK = 3.0;
 
 // Extinction 1/m about a place, over a step: 0.21 km⁻¹ R^0.68 (Atlas 1953), folded by what the cloud sheds more and less of.
@@ -33,7 +33,7 @@ float shaft_extinction(vec2 xy, float height, float step_m) {
 }
 
 // Light of the curtains up to a distance: premultiplied, transmittance.
-vec4 shafts(vec3 dir, float eye, float away_m, float start) {
+vec4 shafts(vec3 dir, float eye, float away_m) {
     float top = 1.06 * u_clouds_base_m, from = 0.0, to = min(away_m, SHAFT_REACH_M);
     if (eye > top) {
         if (dir.z >= 0.0) return vec4(0.0, 0.0, 0.0, 1.0);
@@ -42,9 +42,9 @@ vec4 shafts(vec3 dir, float eye, float away_m, float start) {
     if (dir.z < 0.0) to = min(to, eye / -dir.z);
     if (to <= from) return vec4(0.0, 0.0, 0.0, 1.0);
     float through = 1.0, weight = 0.0, mean_m = 0.0, length_m = to - from;
-    for (int i = 0; i < SHAFT_STEPS; ++i) {
+    for (int i = 0; i < u_shaft_steps; ++i) {
         // steps grow with the distance
-        float a = float(i) / float(SHAFT_STEPS), b = float(i + 1) / float(SHAFT_STEPS), mid = mix(a, b, 0.35 + 0.3 * start);
+        float a = float(i) / float(u_shaft_steps), b = float(i + 1) / float(u_shaft_steps), mid = 0.5 * (a + b);
         float t = from + length_m * mid * mid;
         float step_m = length_m * (b * b - a * a);
         float depth = shaft_extinction(u_camera.xy + dir.xy * t, eye + dir.z * t, step_m) * step_m;
@@ -62,13 +62,11 @@ vec4 shafts(vec3 dir, float eye, float away_m, float start) {
     return vec4(light * weight, through);
 }
 
-float step_start(vec2 pixel) { return fract(52.9829189 * fract(dot(pixel, vec2(0.06711056, 0.00583715)))); }
-
 void main() {
     vec3 ray = pixel_ray(), dir = normalize(ray);
     float eye = u_camera.z - u_level_sea_level_m, depth = texelFetch(g_eye_depth, ivec2(gl_FragCoord.xy), 0).r;
     float away = depth > 0.0 ? depth * length(ray) : 1e9;
-    vec4 sum = shafts(dir, eye, away, step_start(gl_FragCoord.xy));
+    vec4 sum = shafts(dir, eye, away);
     if (eye > u_clouds_base_m) {
         vec4 over = textureLod(u_clouds, gl_FragCoord.xy / u_size, 0.0);
         sum = vec4(sum.rgb * over.a, mix(1.0, sum.a, over.a));
