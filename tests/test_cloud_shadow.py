@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scenes import camera, coast
 from shorewright.level.weather import drift_m
-from shorewright.renderer import Show
+from shorewright.renderer import Show, render
 from shorewright.renderer.overcast import overcast
 from shorewright.renderer.passes.cloud_shadow import REACH_M
 from shorewright.renderer.sky_light import LUMINANCE, sky_light
@@ -114,6 +114,32 @@ def test_clouds_of_white_light_cannot_be_seen(renderer):
     light = np.frombuffer(image.read(alignment=1), np.float16).reshape(-1, 4).astype(np.float64)
     assert light[:, 3].min() < 0.1
     assert np.abs(light[:, :3] + light[:, 3:] - 1.0).max() < 1 / 255
+
+
+def test_the_finished_sky_of_white_light_is_white(renderer):
+    """Z17: the furnace, of the picture itself: with its clouds it is the sky without them, to 1/255 of it."""
+    level = clouded(("light.body", "even"), ("weather.coverage", 0.7), ("clouds.cirrus", 0.0), ("clouds.alto", 0.0),
+                    ("weather.precipitation", 0.0))  # fmt: skip
+    shown = {show: render(level, camera(z=100.0, pitch=40.0), SIZE, quality="medium", linear=True, renderer=renderer,
+                          show=Show.hide(",".join(("air", "fog", *show)))) for show in ((), ("clouds",))}  # fmt: skip
+    assert np.abs(shown[()] / shown[("clouds",)] - 1.0).max() < 1 / 255
+    image = renderer.kept["clouds"].textures[0]
+    assert np.frombuffer(image.read(alignment=1), np.float16).reshape(-1, 4)[:, 3].min() < 0.1
+
+
+def test_clouds_end_at_the_horizon_without_a_line(renderer):
+    """Z06, Z12: a closed layer's cover falls to nothing before it ends: on and on, by no step over 2/255 a hundredth of
+    a degree."""
+    level = clouded(
+        *SLAB, ("clouds.extinction", 0.1), ("weather.horizon_start_m", 34_000.0), ("weather.horizon_coverage", 1.0)
+    )
+    renderer.draw(level, camera(z=30.0, pitch=2.0, fov=5.0), (16, 1000), quality="medium")
+    made = renderer.kept["clouds"].textures[0]
+    cover = 1.0 - np.frombuffer(made.read(alignment=1), np.float16).reshape(made.height, made.width, 4)[..., 3].mean(1)
+    assert cover[0] < 0.02 < 0.98 < cover[-1]
+    cover = np.convolve(cover, np.full(6, 1 / 6), "valid")
+    assert np.diff(cover).min() > -2e-3
+    assert np.abs(np.diff(cover)).max() < 2 / 255
 
 
 def test_a_calm_sea_mirrors_clouds(renderer):

@@ -13,7 +13,7 @@ from ..frame import Frame
 from ..uniforms import set_uniforms
 from .cloud_history import advance, seen_now
 
-REACH_M = 55_000.0
+REACH_M = 60_000.0
 UNDER_CLOUD = 0.6  # of the light that the ground gives back: part of it lies in their shadow
 
 

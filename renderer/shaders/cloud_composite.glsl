@@ -26,7 +26,9 @@ vec4 clouds_at(vec2 uv) {
     sum += textureLod(u_clouds, vec2(middle.x, before.y), 0.0) * (w12.x * w0.y);
     sum += textureLod(u_clouds, vec2(middle.x, after.y), 0.0) * (w12.x * w3.y);
     total += (w0.x + w3.x) * w12.y + (w0.y + w3.y) * w12.x;
-    return vec4(max(sum.rgb / total, 0.0), clamp(sum.a / total, 0.0, 1.0));
+    // where it overshoots, light goes with what it hides: white under white light stays white
+    float through = sum.a / total;
+    return vec4(max(sum.rgb / total, 0.0) / max(1.0 - through, 1.0), clamp(through, 0.0, 1.0));
 }
 
 // Four fetches that weigh about three by three texels alike: over those the start of the march takes all its values, so

@@ -7,21 +7,23 @@ uniform float u_cloud_reach_m;    // beyond it there are no clouds
 uniform vec2 u_cloud_steps;       // overhead, at the horizon
 uniform bool u_cloud_terms_cheap_steps, u_cloud_terms_cheap_light;
 
-const float CHEAP = 2.0;          // a cheap step is so many full ones
+const float CHEAP = 2.5;          // a cheap step is so many full ones
 const float FINE = 0.5;           // steps inside a cloud, where light changes quickly, against full ones
 const float NEAR_M = 20.0, GROWTH = 0.03;  // within a cloud steps begin with that and grow by this share of the way
 const float SLACK = 0.02;         // of the shape's range: cheap steps take what nearly is a cloud for one
 const int EMPTY = 14;             // after so many full samples without cloud the steps are cheap again
+const float FADE = 0.45;          // of the reach from which on clouds fade
 const float OPAQUE = 0.004;       // transmittance at which nothing behind counts
 const int MOST_STEPS = 512;
 const float CHEAP_LIGHT = 0.3;    // opacity from which on light is asked without the detail noise
 
 const float CLEAR_M = 420.0;      // steps in clear air: three texels of the map
-const int ALIKE = 4;              // steps in cheap light that have the one before's
+const int ALIKE = 6;              // steps in cheap light that have the one before's
 
 struct March {
     vec3 light;         // premultiplied
     float transmittance;
+    float shown;        // of what it stops, the part that hasn't faded away in the distance
     float depth_m;      // mean distance of what is seen, of no cloud where the shell begins
     int samples;        // full ones
 };
@@ -103,14 +105,16 @@ float cloud_first(Way way, float t, bool met_before) {
 float cloud_extinction_in(Air air, float t) {
     float base = cloud_base(air.sheared, air.altitude, air.h, air.weather, air.lod, 0.0);
     if (base <= 0.0) return 0.0;
-    float faded = 1.0 - smoothstep(0.6, 1.0, t / u_cloud_reach_m);
-    return cloud_eroded(base, cloud_detail(air.sheared, air.altitude, air.h, air.lod), air.h) * faded;
+    return cloud_eroded(base, cloud_detail(air.sheared, air.altitude, air.h, air.lod), air.h);
 }
 
 // A step's own part of the march. Energy-conserving: its transmittance is integrated, not taken at its start.
 void cloud_add(vec3 source, float extinction, float t, float step_m, inout March m) {
     float through = exp(-extinction * step_m), seen = m.transmittance * (1.0 - through);
-    m.light += source * seen;
+    // dense cloud too ends without a line: even steps of the angle over the horizon, which goes as one over the distance
+    float faded = seen * clamp((FADE * u_cloud_reach_m / t - FADE) / (1.0 - FADE), 0.0, 1.0);
+    m.light += source * faded;
+    m.shown += faded;
     m.depth_m += t * seen;
     m.transmittance *= through;
     m.samples += int(extinction > 0.0);
@@ -155,7 +159,7 @@ void cloud_until(float until, Way way, float cosine, float phase, const bool che
 
 // `start` 0 … 1: where in each step it looks; steps themselves leave nothing out and count nothing twice.
 March cloud_march(vec3 dir, float start) {
-    March m = March(vec3(0.0), 1.0, 0.0, 0);
+    March m = March(vec3(0.0), 1.0, 0.0, 0.0, 0);
     Way way = cloud_way(dir, start);
     float cosine = dot(dir, u_sun_direction), phase = cloud_phase(cosine), t = way.span.x;
     bool met = false;
@@ -164,7 +168,8 @@ March cloud_march(vec3 dir, float start) {
     m.depth_m = m.transmittance < 1.0 ? m.depth_m / (1.0 - m.transmittance) : way.span.x;
     if (m.transmittance < OPAQUE) {
         m.light /= 1.0 - m.transmittance;
-        m.transmittance = 0.0;
+        m.shown /= 1.0 - m.transmittance;
     }
+    m.transmittance = 1.0 - m.shown;
     return m;
 }
