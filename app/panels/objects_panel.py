@@ -149,6 +149,8 @@ def _selected(editor: Editor, thing: Placed) -> None:
         _mesh(editor, thing)
     if thing.kind == "shot":
         _sky(editor, thing)
+    if thing.kind == "weather_key":
+        _reach(editor, thing)
     param_widgets.draw_all(
         list(fields(thing.kind)),
         lambda name: getattr(thing, name),
@@ -182,6 +184,23 @@ def _mesh(editor: Editor, thing: Placed) -> None:
             session.ask("prop")
         imgui.end_combo()
     param_widgets.tooltip("The mesh it shows, of those that the level holds.")
+
+
+def _reach(editor: Editor, key: Placed) -> None:
+    """What a key of the weather acts on, which its circle decides (D36)."""
+    weather = editor.session.level.settings.weather
+    text = (
+        "Everywhere: sky, waves, wind, rain and current."
+        if not key.radius_m
+        else ("Over its circle the sky alone: coverage, type, precipitation.")
+    )
+    imgui.push_text_wrap_pos(0)
+    imgui.text_unformatted(text)
+    if key.radius_m and key.weather == "snow" and weather.temperature_c > weather.snow_below_c:
+        cold = f"It rains here: snow falls below {weather.snow_below_c:g} °C, and the whole level has"
+        imgui.text_colored(theme.colour(theme.WARM), f"{cold} {weather.temperature_c:g} °C.")
+    imgui.pop_text_wrap_pos()
+    imgui.spacing()
 
 
 def _sky(editor: Editor, thing: Placed) -> None:
