@@ -28,7 +28,7 @@ def draw(editor: Editor) -> None:
 def _weather(editor: Editor) -> None:
     """The named weather that the simulation is under, and a storm that comes or goes."""
     now = weather_of(editor.session.level.settings)
-    imgui.set_next_item_width(110)
+    imgui.set_next_item_width(100)
     if imgui.begin_combo("###weather_preset", WEATHERS[now].label if now else "Own mix"):
         for row in WEATHERS.values():
             if imgui.selectable(f"{row.label}###preset_{row.name}", row.name == now)[0]:

@@ -51,6 +51,7 @@ class WeatherPanel:
         # as large as what stands below leaves it, so that nothing scrolls; not too small to paint on
         side = float(int(min(max(min(room.x, room.y - self._below_px), min(room.x, LEAST_PX)), MOST_PX)))
         self.sight = replace(self.sight or self._round_camera(), side=side)
+        imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + max(room.x - side, 0) // 2)
         self._map(ctx, side)
         top = imgui.get_cursor_pos_y()
         self._controls()
@@ -152,7 +153,7 @@ class WeatherPanel:
     # Beside it
 
     def _controls(self) -> None:
-        imgui.set_next_item_width(110)
+        imgui.set_next_item_width(100)
         changed, number = imgui.combo("###weather_stage", STAGES.index(self.stage), [s.capitalize() for s in STAGES])
         if changed:
             self.stage = STAGES[number]
@@ -165,7 +166,7 @@ class WeatherPanel:
         imgui.begin_group()
         for number, (word, ink) in enumerate(LEGEND):
             if number:
-                imgui.same_line(0, 6)
+                imgui.same_line(0, 5)
             imgui.align_text_to_frame_padding()
             imgui.text_colored(theme.colour(ink), word)
         imgui.end_group()
