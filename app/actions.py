@@ -75,6 +75,14 @@ def _storm(session: Session) -> None:
     session.set_all("Bring a storm", {"clouds.on": True, "storm.chance": 1.0, "storm.start_s": now})
 
 
+def _storm_end(session: Session) -> None:
+    session.set_all("End the storm", {"storm.chance": 0.0})
+
+
+def _has_storm(session: Session) -> bool:
+    return session.level.settings.storm.chance > 0
+
+
 def _frame_all(session: Session) -> None:
     session.camera = frame(session.level, session.camera)
 
@@ -116,16 +124,17 @@ def _rows() -> list[Action]:
         *(Action(f"light.{row.name}", row.label, (), "Light", _environment(row.name)) for row in ENVIRONMENTS.values()),
         *(Action(f"weather.{row.name}", row.label, (), "Weather", _weather(row.name)) for row in WEATHERS.values()),
         Action("storm", "Bring a storm", (), "Weather", _storm),
+        Action("storm_end", "End the storm", (), "Weather", _storm_end, _has_storm),
         *(Action(f"tool.{row.name}", _tool_title(row), row.keys, "Place", _tool(row.name)) for row in TOOLS.values()),
         Action("prop_file", "Prop from a file…", (), "Place", lambda s: s.ask("prop")),
         *(
             Action(f"place.{row.name}", f"{row.title} in the middle", (), "In the middle", _put(row.name))
             for row in placing.PLACEABLES.values()
         ),
-        Action("shot", "New shot from the sky now", (), "Light", _put("shot")),
-        Action("shot_paint", "New shot from the paint", (), "Light", _shot_of_paint),
-        Action("shot_file", "New shot from a weather map…", (), "Light", lambda s: s.ask("shot_file")),
-        Action("shot_to_paint", "Lay the shot's sky into the paint", (), "Light", _shot_to_paint, _has_shot),
+        Action("shot", "New shot from the sky now", (), "Weather", _put("shot")),
+        Action("shot_paint", "New shot from the paint", (), "Weather", _shot_of_paint),
+        Action("shot_file", "New shot from a weather map…", (), "Weather", lambda s: s.ask("shot_file")),
+        Action("shot_to_paint", "Lay the shot's sky into the paint", (), "Weather", _shot_to_paint, _has_shot),
         Action("object.delete", "Delete the object", ("Delete",), "Edit", placing.delete, _has_object),
         Action("object.duplicate", "Duplicate the object", ("Ctrl+D",), "Edit", placing.duplicate, _has_object),
         Action("object.left", "Turn the object left", ("Ctrl+[",), "Edit", _turn(-15.0), _has_object, repeats=True),

@@ -7,7 +7,9 @@ from typing import Any
 
 from ..level import BadInput, Clock
 from ..level.atoms import Thing, Value
+from ..level.objects import Camera
 from ..level.params import get, replace
+from ..level.preset_cover import covered
 from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
 from . import recovery_record
 from . import script as words
@@ -19,6 +21,7 @@ class Edits(Shots):
     """Everything but strokes that changes a level, each an undoable step."""
 
     clock: Clock
+    camera: Camera
 
     # Settings
 
@@ -45,6 +48,7 @@ class Edits(Shots):
         word = words.SetAll(label=label, values={path: get(changed, path) for path in values})
         with self._edit(word, merge):
             self.journal.set_settings(label, changed, label if merge else "")
+        self.notes += covered(self.level, values, self.clock.time_s, self.camera.id)
 
     def seal(self) -> None:
         """The slider was let go: its next change is a step of its own."""

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 from imgui_bundle import hello_imgui, imgui
 
-VERSION = 4  # another number forgets the layouts people saved, as after a change of PANELS
+VERSION = 5  # another number forgets the layouts people saved, as after a change of PANELS
 BRUSHES_PX = 80
-SIDE_PX = 326
+SIDE_PX = (326, 400)  # at least and at most
+SIDE_SHARE = 0.235  # of the width, in between
 TIMELINE_PX = 46
 BRUSH_PX = 268  # of the right column's height
 
@@ -58,12 +59,13 @@ def docking(
 
 def _splits(size: tuple[float, float]) -> list[hello_imgui.DockingSplit]:
     width, height = max(size[0], 640), max(size[1] - 60, 360)
+    side = min(max(SIDE_SHARE * width, SIDE_PX[0]), SIDE_PX[1])
     bare = imgui.internal.DockNodeFlagsPrivate_.no_tab_bar
     split = hello_imgui.DockingSplit
     return [
-        split("MainDockSpace", "side", imgui.Dir.right, SIDE_PX / width),
+        split("MainDockSpace", "side", imgui.Dir.right, side / width),
         split("side", "brush", imgui.Dir.up, min(BRUSH_PX / height, 0.6)),
-        split("MainDockSpace", "brushes", imgui.Dir.left, BRUSHES_PX / (width - SIDE_PX), bare),
+        split("MainDockSpace", "brushes", imgui.Dir.left, BRUSHES_PX / (width - side), bare),
         split("MainDockSpace", "timeline", imgui.Dir.down, TIMELINE_PX / height, bare),
     ]
 

@@ -14,8 +14,8 @@ from .tools import BRUSH
 ORDER = ("File", "Edit", "Brush", "Light", "Weather", "Place", "Time", "View")
 INNER = {"In the middle": "Place", "Clouds to paint": "Brush"}  # menus within others
 RULED = {
-    "import", "weather_import", "quit", "abort", "frame", "next_view", "brush.raise", "storm", "tool.prop", "prop_file",
-    "object.delete",
+    "import", "weather_import", "quit", "abort", "frame", "next_view", "brush.raise", "storm", "shot", "sky.fill",
+    "tool.prop", "prop_file", "object.delete",
 }  # a line above these  # fmt: skip
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),

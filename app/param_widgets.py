@@ -17,14 +17,15 @@ from . import theme
 Change = Callable[[Any, bool], None]
 
 # Suffixes of names that the unit beside the value already says (style: units in names)
-UNIT_SUFFIXES = ("m", "s", "deg", "ev", "mps", "px", "pct")
+UNIT_SUFFIXES = ("m", "km", "mm", "s", "h", "deg", "c", "ev", "mps", "px", "pct")
 LABEL_SHARE = 0.42
+PAINT = "paint_"
 
 
 def label_of(row: Param) -> str:
     """What stands beside the widget: `sea.swell_length_m` → `Swell length`."""
     words = row.name.rpartition(".")[2].split("_")
-    if len(words) > 1 and words[-1] in UNIT_SUFFIXES and row.unit:
+    while len(words) > 1 and words[-1] in UNIT_SUFFIXES and row.unit:
         words = words[:-1]
     text = " ".join(words)
     return text[:1].upper() + text[1:]
@@ -96,11 +97,24 @@ def tooltip(text: str) -> None:
         imgui.end_tooltip()
 
 
-def draw(row: Param, value: Any, change: Change, seal: Callable[[], None], label: str = "") -> bool:
-    """One line: label, then the widget; calls `change(new, merge)` and `seal()`; returns whether it changed."""
+def draw(
+    row: Param, value: Any, change: Change, seal: Callable[[], None], label: str = "",
+    switch: Callable[[], bool] | None = None,
+) -> bool:  # fmt: skip
+    """One line: label, then the widget; calls `change(new, merge)` and `seal()`; returns whether it changed.
+
+    `switch` draws a checkbox in front of the widget and returns whether there is to be one.
+    """
     imgui.push_id(row.name)
     _label(row, value, label or label_of(row))
     imgui.same_line(_label_width())
+    if switch is not None:
+        shown = switch()
+        imgui.same_line()
+        if not shown:
+            imgui.text_colored(theme.colour(theme.INK_FAINT), "stays as it is")
+            imgui.pop_id()
+            return False
     imgui.set_next_item_width(-imgui.FLT_MIN)
     changed, new = _widget(row, value)
     ended = imgui.is_item_deactivated()
@@ -119,9 +133,25 @@ def draw(row: Param, value: Any, change: Change, seal: Callable[[], None], label
 def draw_all(
     rows: list[Param], values: Callable[[str], Any], change: Callable[[str, Any, bool], None], seal: Callable[[], None]
 ) -> None:
-    """A line for every row; `values(name)` and `change(name, value, merge)` use the rows' own names."""
-    for row, label in zip(rows, labels(rows), strict=True):
-        draw(row, values(row.name), lambda value, merge, name=row.name: change(name, value, merge), seal, label)
+    """A line for every row; `values(name)` and `change(name, value, merge)` use the rows' own names.
+
+    A switch that is called by PAINT and a row's name stands in that row's line.
+    """
+    names = {row.name for row in rows}
+    switches = {row.name: row for row in rows if row.name.removeprefix(PAINT) in names - {row.name}}
+    lines = [row for row in rows if row.name not in switches]
+    for row, label in zip(lines, labels(lines), strict=True):
+        own = switches.get(PAINT + row.name)
+        switch = (lambda own=own: _switch(own, values(own.name), change)) if own else None
+        draw(row, values(row.name), lambda value, merge, name=row.name: change(name, value, merge), seal, label, switch)
+
+
+def _switch(row: Param, on: bool, change: Callable[[str, Any, bool], None]) -> bool:
+    changed, now = imgui.checkbox(f"##{row.name}", on)
+    tooltip(tooltip_of(row))
+    if changed:
+        change(row.name, now, False)
+    return now
 
 
 def _label_width() -> float:
@@ -137,6 +167,15 @@ def _label(row: Param, value: Any, label: str) -> None:
     imgui.text_unformatted(fitted(label, width))
     imgui.pop_style_color()
     tooltip(tooltip_of(row))
+
+
+def beside(label: str, doc: str) -> None:
+    """Begin a line as `draw` does: a label, and the next widget in the column of widgets."""
+    imgui.align_text_to_frame_padding()
+    imgui.text_unformatted(label)
+    tooltip(doc)
+    imgui.same_line(_label_width())
+    imgui.set_next_item_width(-imgui.FLT_MIN)
 
 
 def fitted(text: str, width: float) -> str:

@@ -85,7 +85,7 @@ class Sky:
 
 def sky_at(session: Session, x: float, y: float) -> Sky:
     camera = session.camera
-    values = weather_at(session.level, session.clock.time_s, x, y, (camera.x, camera.y))
+    values = weather_at(session.level, session.clock.time_s, x, y, (camera.x, camera.y), seen_by=camera.id)
     return Sky(x, y, float(np.hypot(x - camera.x, y - camera.y)), *map(float, values))
 
 
@@ -104,7 +104,7 @@ def sentence(sky: Sky) -> str:
 def take(session: Session, x: float, y: float) -> dict[str, float]:
     """Make what is shown at a world place, before rain pulls at it, the targets of the brush."""
     camera = session.camera
-    values = weather_at(session.level, session.clock.time_s, x, y, (camera.x, camera.y), "horizon")
+    values = weather_at(session.level, session.clock.time_s, x, y, (camera.x, camera.y), "horizon", camera.id)
     targets = dict(zip(("coverage", "precipitation", "type"), (round(float(v), 3) for v in values)))
     _aim(session, targets)
     return targets

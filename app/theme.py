@@ -155,7 +155,8 @@ def apply_style(scale: float = 1.0) -> None:
     style.grab_min_size, style.indent_spacing = 9, 14
     style.docking_separator_size = 2
     style.docking_node_has_close_button = False
-    style.window_menu_button_position = imgui.Dir.none
+    style.window_menu_button_position = imgui.Dir.right  # lists the panels whose tabs have no room
+    style.tab_min_width_shrink = 200  # names of panels are not cut short
     style.disabled_alpha = 0.45
     style.scale_all_sizes(scale)
     for name, value in COLOURS.items():

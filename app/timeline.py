@@ -14,6 +14,7 @@ from ..level.weather_keys import keys_of
 from . import theme, timeline_marks
 from .editor import Editor
 from .param_widgets import slider, tooltip
+from .timeline_drag import SLACK_PX, Grip, dragged, grip_at, hint
 from .timeline_marks import Strip
 
 PAGE_S = 60.0  # without a loop the bar shows the page of this length that time is on
@@ -41,6 +42,8 @@ class Timeline:
     def __init__(self, editor: Editor) -> None:
         self.editor = editor
         self._ran = False  # time ran before the scrubbing began
+        self._grip: Grip | None = None  # the mark in the mouse's hand
+        self._pressed_px, self._moved = 0.0, False
 
     def draw(self) -> None:
         clock = self.editor.session.clock
@@ -85,20 +88,48 @@ class Timeline:
         corner = imgui.get_cursor_screen_pos()
         strip = Strip(corner.x, corner.y + 2, corner.x + width, corner.y + BAR_PX, first, last)
         imgui.invisible_button("###scrub", imgui.ImVec2(width, BAR_PX))
-        under = timeline_marks.under(session.level, strip, *imgui.get_mouse_pos())
+        mouse = imgui.get_mouse_pos()
+        under = timeline_marks.under(session.level, strip, *mouse)
+        over = self._grip or (
+            grip_at(session.level, strip, *mouse, session.selected) if imgui.is_item_hovered() else None
+        )
         if imgui.is_item_activated():
-            self._ran = not clock.paused
-            clock.paused = True
-            if under:
-                session.selected = under[-1].id
+            self._press(over, mouse.x)
         if imgui.is_item_active():
-            part = min(max((imgui.get_mouse_pos().x - corner.x) / width, 0), 1)
-            session.scrub(first + part * (last - first))
+            self._drag(strip, mouse.x)
         if imgui.is_item_deactivated():
-            clock.paused = not self._ran
+            self._release(strip, mouse.x)
+        if over:
+            imgui.set_mouse_cursor(imgui.MouseCursor_.resize_ew if over.edge else imgui.MouseCursor_.hand)
         self._paint(strip, imgui.is_item_hovered())
-        told = "\n".join(timeline_marks.sentence(thing) for thing in under)
+        told = "\n".join(timeline_marks.sentence(session.level.objects.get(thing.id, thing)) for thing in under)
+        told = f"{told}\n{hint(over)}".strip() if over else told
         tooltip(told or "Drag to scrub. A tick for every wave that sets out, a bar for every shot, a band for weather.")
+
+    def _press(self, over: Grip | None, x: float) -> None:
+        session, clock = self.editor.session, self.editor.session.clock
+        self._ran, self._grip, self._pressed_px, self._moved = not clock.paused, over, x, False
+        clock.paused = True
+        if over:
+            session.selected = over.thing.id
+
+    def _drag(self, strip: Strip, x: float) -> None:
+        """A mark follows the mouse, all in one step; elsewhere time does."""
+        session, grip = self.editor.session, self._grip
+        if grip is None:
+            session.scrub(strip.time_of(x))
+            return
+        self._moved = self._moved or abs(x - self._pressed_px) > SLACK_PX
+        if self._moved and grip.thing.id in session.level.objects:
+            self.editor.attempt(session.alter, grip.thing.id, dragged(grip, strip.time_of(x)), True)
+
+    def _release(self, strip: Strip, x: float) -> None:
+        session = self.editor.session
+        if self._moved:
+            session.seal()
+        elif self._grip:
+            session.scrub(strip.time_of(x))
+        session.clock.paused, self._grip, self._moved = not self._ran, None, False
 
     def _paint(self, strip: Strip, hovered: bool) -> None:
         clock = self.editor.session.clock

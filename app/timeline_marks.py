@@ -62,7 +62,8 @@ def outline(shot: Shot, first_s: float, last_s: float) -> list[tuple[float, floa
 def sentence(thing: Placed) -> str:
     """What a mark stands for, on a line."""
     if not isinstance(thing, Shot):
-        return f"{thing.id}: {thing.time_s:g} s"
+        where = f" within {thing.radius_m / 1000:g} km" if thing.radius_m else ""
+        return f"{thing.id}: {thing.weather}{where} from {thing.time_s:g} s on, there after {thing.fade_s:g} s"
     return f"{thing.id}{f' of {thing.camera}' if thing.camera else ''}: {thing.start_s:g} to {thing.end_s:g} s"
 
 
@@ -80,22 +81,43 @@ class Strip:
     def x_of(self, time_s: float) -> float:
         return self.left + (time_s - self.first_s) / (self.last_s - self.first_s) * (self.right - self.left)
 
+    def time_of(self, x: float) -> float:
+        """The moment at a pixel, no farther than the ends."""
+        part = min(max((x - self.left) / (self.right - self.left), 0.0), 1.0)
+        return self.first_s + part * (self.last_s - self.first_s)
+
+    def shows(self, time_s: float) -> bool:
+        return self.first_s <= time_s <= self.last_s
+
     def foot(self, lane: int) -> float:
         """Where the bars of a lane stand."""
         return self.bottom - 2 - lane * (LANE_PX + 1)
 
+    def in_lane(self, lane: int, y: float) -> bool:
+        return self.foot(lane) - LANE_PX - 1 < y <= self.foot(lane)
+
+
+def bars_under(level: Level, strip: Strip, x: float, y: float) -> list[Placed]:
+    """The shots whose bars are at a pixel, the uppermost last."""
+    return [
+        bar.shot
+        for bar in bars(level, strip.first_s, strip.last_s)
+        if strip.x_of(bar.shot.start_s) <= x <= strip.x_of(bar.shot.end_s) and strip.in_lane(bar.lane, y)
+    ]
+
+
+def keys_under(level: Level, strip: Strip, x: float, y: float) -> list[Placed]:
+    """The keys of the weather whose diamonds are at a pixel."""
+    return [
+        key
+        for key in keys(level, strip.first_s, strip.last_s)
+        if abs(strip.x_of(key.time_s) - x) <= KEY_PX and abs(strip.top + KEY_DOWN_PX - y) <= KEY_PX
+    ]
+
 
 def under(level: Level, strip: Strip, x: float, y: float) -> list[Placed]:
     """What the marks at a pixel stand for, the uppermost last."""
-    found: list[Placed] = []
-    for bar in bars(level, strip.first_s, strip.last_s):
-        foot = strip.foot(bar.lane)
-        if strip.x_of(bar.shot.start_s) <= x <= strip.x_of(bar.shot.end_s) and foot - LANE_PX - 1 < y <= foot:
-            found.append(bar.shot)
-    for key in keys(level, strip.first_s, strip.last_s):
-        if abs(strip.x_of(key.time_s) - x) <= KEY_PX and abs(strip.top + KEY_DOWN_PX - y) <= KEY_PX:
-            found.append(key)
-    return found
+    return [*bars_under(level, strip, x, y), *keys_under(level, strip, x, y)]
 
 
 def draw(level: Level, strip: Strip, selected: str) -> None:

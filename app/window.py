@@ -210,7 +210,10 @@ class Window:
         engine = hello_imgui.get_imgui_test_engine()
         test = imgui.test_engine.register_test(engine, "editor", "driven")
         test.test_func = self._driven
-        imgui.test_engine.get_io(engine).config_run_speed = imgui.test_engine.TestRunSpeed.fast
+        io = imgui.test_engine.get_io(engine)
+        io.config_run_speed = imgui.test_engine.TestRunSpeed.fast
+        # after a minute the engine would do nothing more, which on a busy computer is too soon
+        io.config_watchdog_warning = io.config_watchdog_kill_test = io.config_watchdog_kill_app = 900.0
         imgui.test_engine.queue_test(engine, test)
 
     def _driven(self, ctx) -> None:

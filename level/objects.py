@@ -180,7 +180,10 @@ class WeatherKey(Placed):
     weather: Literal["calm", "breeze", "overcast", "drizzle", "gale", "storm", "snow"] = param(
         "breeze", doc="Which weather; `shorewright weathers` lists them."
     )
-    radius_m: float = param(0.0, 0, 35_000, "m", "Its circle; 0: everywhere.", soft=(0, 15_000))
+    radius_m: float = param(
+        0.0, 0, 35_000, "m", "Its circle, where it changes the sky alone; 0: everywhere, waves and wind too.",
+        soft=(0, 15_000),
+    )  # fmt: skip
 
 
 _KINDS = (

@@ -17,7 +17,7 @@ from .layers import WEATHER_GRID
 from .objects import Shot
 
 SHAPE = (*WEATHER_GRID.shape, 3)
-MOST = 2  # that are seen at a time
+MOST = 16  # that are seen at a time, each a layer of a texture; of more those of most weight
 
 
 @dataclass(frozen=True)
@@ -72,7 +72,7 @@ def _eased(t: float) -> float:
 
 
 def shots_at(level, time_s: float, camera: str = "") -> tuple[Seen, ...]:
-    """What a camera sees of a level's shots, the lower first, two at most: those of most weight.
+    """What a camera sees of a level's shots, the lower first; of more than MOST those of most weight.
 
     Later ones lie over earlier ones, a camera's own over those of all. One that is covered wholly when it ends stays
     whole until then: two that overlap fade into each other, and the simulation does not shine through.

@@ -16,7 +16,7 @@ from scipy.ndimage import map_coordinates
 from .layers import WEATHER_GRID
 from .level import Level
 from .settings import Settings
-from .shots import Seen, shots_at
+from .shots import MOST, Seen, shots_at
 from .storm import CLOUDS, HIDDEN_M, KIND, step, storm_share, storm_uniforms
 from .textures import spectral_noise
 from .weather_keys import MOST_AREAS, level_at, sky_areas
@@ -26,8 +26,6 @@ SIDE = WEATHER_GRID.rows
 TILE_M = WEATHER_GRID.extent_m[0]
 NOISE_SIDE = 256
 STAGES = ("simulated", "painted", "horizon", "final")
-SHOT_PLACES = ("u_weather_shot_a_at", "u_weather_shot_b_at")
-NO_SHOT = (0.0, 0.0, 0.0)
 RAINY = 0.7  # coverage that precipitation pulls to (Z04)
 SOFT = 0.15  # of the rain noise's range: from no rain to full rain
 FINE = 0.5  # amplitude of the small pattern against the broad one
@@ -81,11 +79,14 @@ def shot_place(level: Level, seen: Seen, time_s: float) -> tuple[float, float, f
 def shot_uniforms(level: Level, time_s: float, seen_by: str) -> dict:
     """What weather.glsl asks for of the shots that a camera sees, besides their skies."""
     shots = shots_at(level, time_s, seen_by)
-    places = [shot_place(level, seen, time_s) for seen in shots]
+    places = np.zeros((MOST, 4), np.float32)
+    for at, seen in enumerate(shots):
+        places[at, :3] = shot_place(level, seen, time_s)
     paint = math.prod(1.0 if seen.shot.painted else 1.0 - seen.share for seen in shots)
     horizon = math.prod(1.0 - seen.share if seen.shot.whole else 1.0 for seen in shots)
     return {
-        **dict(zip(SHOT_PLACES, (*places, NO_SHOT, NO_SHOT))),
+        "u_weather_shots": len(shots),
+        "u_weather_shot": places,
         "u_weather_over_shots": (float(paint), float(horizon)),
     }
 
@@ -149,7 +150,7 @@ def weather_at(level: Level, time_s: float, x, y, camera=None, stage: str = "fin
     level = level_at(level, time_s)
     uniforms = weather_uniforms(level, time_s, seen_by)
     sky, storm = _simulated(level, uniforms, x, y)
-    sky = _with_shots(level, sky, uniforms, shots_at(level, time_s, seen_by), x, y)
+    sky = _with_shots(level, sky, time_s, seen_by, x, y)
     painted_over, horizon_over = uniforms["u_weather_over_shots"]
     weight = np.zeros_like(sky)
     if stage != "simulated" and uniforms["u_weather_painted"]:
@@ -174,10 +175,10 @@ def pulled(sky: np.ndarray) -> np.ndarray:
     return np.stack([coverage, rain, 0.5 * kind + (1 - 0.5 * kind) * rain], -1)
 
 
-def _with_shots(level: Level, sky: np.ndarray, uniforms: dict, shots: tuple[Seen, ...], x, y) -> np.ndarray:
+def _with_shots(level: Level, sky: np.ndarray, time_s: float, seen_by: str, x, y) -> np.ndarray:
     """The simulated sky under those of shots (Z20)."""
-    for name, seen in zip(SHOT_PLACES, shots):
-        east, north, share = uniforms[name]
+    for seen in shots_at(level, time_s, seen_by):
+        east, north, share = shot_place(level, seen, time_s)
         own = sample_wrapped(level.skies[seen.shot.map].astype(np.float32), x - east, y - north)
         sky = sky + (own - sky) * share
     return sky

@@ -20,8 +20,8 @@ class Held:
 
 
 def texture_bytes(texture) -> int:
-    """Bytes of the first mip level of a texture or a depth texture."""
-    return texture.width * texture.height * _texel_bytes(texture)
+    """Bytes of the first mip level of a texture, all its layers, or of a depth texture."""
+    return texture.width * texture.height * getattr(texture, "layers", 1) * _texel_bytes(texture)
 
 
 def gpu_memory(renderer) -> list[Held]:
@@ -54,9 +54,14 @@ def _kept(renderer) -> Iterator[tuple[str, object]]:
 
 
 def _texel_bytes(texture) -> int:
-    return DEPTH_BYTES if texture.depth else texture.components * SAMPLE_BYTES[texture.dtype]
+    return DEPTH_BYTES if _is_depth(texture) else texture.components * SAMPLE_BYTES[texture.dtype]
 
 
 def _layout(texture) -> str:
-    texel = "depth" if texture.depth else f"{texture.components} × {8 * SAMPLE_BYTES[texture.dtype]} bit"
-    return f"{texture.width} × {texture.height}, {texel}"
+    texel = "depth" if _is_depth(texture) else f"{texture.components} × {8 * SAMPLE_BYTES[texture.dtype]} bit"
+    layers = f" × {texture.layers}" if getattr(texture, "layers", 1) > 1 else ""
+    return f"{texture.width} × {texture.height}{layers}, {texel}"
+
+
+def _is_depth(texture) -> bool:
+    return getattr(texture, "depth", False)  # an array has no such thing

@@ -9,7 +9,7 @@ import numpy as np
 from ..level import BadInput, Level, Rect
 from ..level.beach_map import beach_map
 from ..level.flow import current
-from ..level.layers import LAYERS
+from ..level.layers import LAYERS, WEATHER_GRID
 from ..level.noise import lattice
 from ..level.patches import patch_kinds
 from ..level.shore import shore_map
@@ -128,15 +128,24 @@ class Uploader:
             self.seen["weather_noise"] = seed
         return self.textures["u_weather_noise"]
 
-    def shot_sky(self, level: Level, sampler: str, name: str):
-        """The sky of a shot (Z20), RGBA16F, tiling; a texel for the name ""."""
-        if self.seen.get(sampler) != name:
-            sky = level.skies[name] if name else np.zeros((1, 1, 3), np.float16)
-            self._whole(sampler, np.pad(sky, ((0, 0), (0, 0), (0, 1))), "f2")
-            texture = self.textures[sampler]
+    def shot_skies(self, level: Level, names: tuple[str, ...]):
+        """Skies of shots (Z20), RGBA16F, tiling, a layer each; a texel for none. Layers are kept while they fit."""
+        sampler, held = "u_weather_shot_skies", self.seen.get("u_weather_shot_skies")
+        texture = self.textures.get(sampler)
+        if held is None or len(names) > texture.layers or (names and texture.width == 1):
+            if texture is not None:
+                texture.release()
+            side = WEATHER_GRID.rows if names else 1
+            texture = self.ctx.texture_array((side, side, max(len(names), 1)), 4, dtype="f2")
             texture.filter = self.ctx.LINEAR, self.ctx.LINEAR
             texture.repeat_x = texture.repeat_y = True
-            self.seen[sampler] = name
+            self.textures[sampler], held = texture, ()
+        for layer, name in enumerate(names):
+            if held[layer : layer + 1] != (name,):
+                sky = np.pad(level.skies[name], ((0, 0), (0, 0), (0, 1))).tobytes()
+                texture.write(sky, (0, 0, layer, *texture.size[:2], 1))
+                self.sent[sampler] += len(sky)
+        self.seen[sampler] = names + held[len(names) :]
         return self.textures[sampler]
 
     def walkable(self, level: Level):

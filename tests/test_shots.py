@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from shorewright.level import BadInput, Rect
 from shorewright.level.objects import Camera, Shot
-from shorewright.level.shots import SHAPE, shots_at, skies_in_use, sky_name, sky_of
+from shorewright.level.shots import MOST, SHAPE, shots_at, skies_in_use, sky_name, sky_of
 from shorewright.level.weather import SIDE, TILE_M, texel_metres, weather_at, weather_map
 from test_weather import cloudy, map_of, paint
 
@@ -63,13 +63,32 @@ def test_shots_that_overlap_fade_into_each_other():
     assert np.abs(np.diff(rows, axis=0)).max() < 0.02
 
 
-def test_three_at_once_show_the_two_that_count():
-    """Z20: of more than two those with most weight, in their order."""
+def test_any_number_at_once_fade_into_each_other():
+    """Z20: of five that overlap each counts, by weights that add up to one; nothing jumps, one that is covered goes."""
     level = cloudy()
-    for name, start in (("a", 0.0), ("b", 1.0), ("c", 9.0)):
-        add(level, name, even_sky(start / 10), start_s=start, end_s=50.0, fade_s=2.0)
-    assert list(shares(level, 9.1)) == ["b", "c"]
-    assert list(shares(level, 30.0)) == ["c"]
+    for name, start in (("a", 0.0), ("b", 4.0), ("c", 6.0), ("d", 7.0), ("e", 7.5)):
+        add(level, name, even_sky(start / 10), start_s=start, end_s=50.0 + start, fade_s=4.0)
+    assert list(shares(level, 7.9)) == ["a", "b", "c", "d", "e"]
+    assert list(shares(level, 30.0)) == ["e"]
+    at, weights, open_share = (np.zeros(1), np.zeros(1)), {}, 1.0
+    for name, share in reversed(shares(level, 7.9).items()):
+        weights[name], open_share = share * open_share, open_share * (1 - share)
+    assert open_share == 0
+    assert all(weights.values())
+    mean = sum(level.objects[name].start_s / 10 * weight for name, weight in weights.items())
+    assert weather_at(level, 7.9, *at, None, "painted")[0, 0] == pytest.approx(mean, abs=1e-3)
+    rows = np.array([weather_at(level, t, *at, None, "painted")[0, 0] for t in np.arange(3, 60, 0.1)])
+    assert np.abs(np.diff(rows)).max() < 0.03
+
+
+def test_more_than_there_is_room_for():
+    """Z20: of more than MOST that are seen in part those of least weight stay away."""
+    level = cloudy()
+    for n in range(MOST + 2):
+        add(level, f"s{n:02}", even_sky(), start_s=0.01 * n, end_s=50.0, fade_s=20.0)
+    seen = shares(level, 8.0)
+    assert len(seen) == MOST
+    assert list(seen) == sorted(seen)
 
 
 def test_shot_replaces_the_simulation_under_the_paint():
@@ -120,14 +139,17 @@ def test_no_shot_leaves_all_bits(renderer):
         np.testing.assert_array_equal(made, before)
 
 
-@pytest.mark.parametrize("time_s", [22.0, 26.5, 44.0])
+@pytest.mark.parametrize("time_s", [24.5, 26.5, 44.0, 22.0])
 def test_gpu_shows_shots_as_the_twin(renderer, time_s):
-    """Z20: one or two of them, faded, drifted, under paint, for the camera that has them."""
+    """Z20: one to four of them, faded, drifted, under paint, for the camera that has them; layers used again."""
     level = cloudy()
     camera = Camera(id="there", x=9000.0, y=-3000.0, z=60.0)
     add(level, "one", waves_sky(), start_s=0.0, end_s=30.0, fade_s=8.0)
     add(level, "two", waves_sky(2), start_s=20.0, end_s=50.0, fade_s=8.0, camera="there", whole=True, painted=False)
+    add(level, "three", waves_sky(5), start_s=23.0, end_s=27.0, fade_s=2.0, camera="there")
+    add(level, "four", waves_sky(1), start_s=24.0, end_s=25.5, fade_s=1.0, camera="there", drifts=False)
     paint(level, Rect(200, 230, 300, 290), 0.9, 0.6, 0.3, 0.8)
+    assert len(shots_at(level, time_s, "there")) == {24.5: 4, 26.5: 3, 44.0: 1, 22.0: 2}[time_s]
     made = map_of(renderer, level, time_s, camera, "final")
     twin = weather_map(level, time_s, (camera.x, camera.y), "final", "there")
     assert np.abs(made - twin).mean() < 1e-3

@@ -193,3 +193,15 @@ def test_the_map_is_north_up_and_its_scale_a_round_number(sight):
     assert sight.span_m / 5 - 1e-6 <= sight.scale_m <= sight.span_m / 2 + 1e-6
     digit = sight.scale_m / 10 ** math.floor(math.log10(sight.scale_m) + 1e-9)
     assert min(abs(digit - nice) for nice in (1, 2, 5, 10)) < 1e-6
+
+
+def test_the_camera_s_own_shot_is_what_is_read_and_taken(session):
+    """T04 Z20: status bar and eyedropper tell the sky of the picture, with the shots of its camera, not of another."""
+    even = np.broadcast_to(np.float32([0.875, 0.25, 0.5]), (512, 512, 3))
+    session.shot_add("mine", 0.0, 100.0, 0.0, camera=session.camera.id, source=even)
+    session.scrub(50.0)
+    at = session.camera.x + 100.0, session.camera.y
+    assert sky_brush.sky_at(session, *at).precipitation == pytest.approx(0.25, abs=1e-3)
+    assert sky_brush.take(session, *at)["coverage"] == pytest.approx(0.875, abs=1e-3)
+    session.camera = session.camera.model_copy(update={"id": "another"})
+    assert sky_brush.take(session, *at)["precipitation"] != pytest.approx(0.25, abs=1e-3)

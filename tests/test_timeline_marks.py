@@ -5,8 +5,9 @@ from shorewright.app.actions import ACTIONS
 from shorewright.app.editor import Editor
 from shorewright.app.panels.objects_panel import go_to
 from shorewright.app.session import Session
+from shorewright.app.timeline_drag import dragged, grip_at
 from shorewright.app.timeline_marks import Strip, bars, outline, under
-from shorewright.level.objects import Shot
+from shorewright.level.objects import Shot, WeatherKey
 from test_weather import cloudy
 
 
@@ -47,6 +48,35 @@ def test_marks_are_found_where_they_are_drawn(session):
     assert found(250.0, 30.0) == ["a"]
     assert found(250.0, 24.0) == ["b"]
     assert found(350.0, 30.0) == found(150.0, 24.0) == found(250.0, 14.0) == []
+
+
+def test_a_press_takes_hold_of_ends_shots_and_keys(session):
+    """Z20 D36: an end within some pixels, else the shot; where two meet the side of the pointer decides."""
+    for row in (shot("a", 0, 20), shot("b", 20, 70), WeatherKey(id="k", time_s=30.0)):
+        session.level.put_object(row.id, row)
+    strip = Strip(100.0, 10.0, 700.0, 34.0, 0.0, 60.0)
+
+    def held(x, y=30.0):
+        grip = grip_at(session.level, strip, x, y)
+        return (grip.thing.id, grip.part) if grip else None
+
+    assert [held(x) for x in (102, 200, 298, 302, 690)] == [
+        ("a", "start"), ("a", "whole"), ("a", "end"), ("b", "start"), ("b", "whole")]  # fmt: skip
+    assert held(400, 16.0) == ("k", "key")
+    assert held(200, 20.0) is None
+
+
+def test_a_drag_keeps_marks_whole():
+    """Z20 D36: ends do not cross, nothing starts before 0, a shot that is moved stays as long."""
+    from shorewright.app.timeline_drag import SHORTEST_S, Grip
+
+    row, key = shot("a", 10, 30), WeatherKey(id="k", time_s=30.0)
+    assert dragged(Grip(row, "start", 10.0), 14.0) == {"start_s": 14.0}
+    assert dragged(Grip(row, "start", 10.0), 90.0) == {"start_s": 30.0 - SHORTEST_S}
+    assert dragged(Grip(row, "end", 31.0), 3.0) == {"end_s": 10.0 + SHORTEST_S}
+    assert dragged(Grip(row, "whole", 20.0), 25.0) == {"start_s": 15.0, "end_s": 35.0}
+    assert dragged(Grip(row, "whole", 20.0), 5.0) == {"start_s": 0.0, "end_s": 20.0}
+    assert dragged(Grip(key, "key", 30.0), 12.5) == {"time_s": 12.5}
 
 
 def test_actions_make_shots_and_take_them_back(session):

@@ -17,7 +17,7 @@ from shorewright.io.images import write_image
 from shorewright.level.framing import cameras
 
 pytestmark = pytest.mark.window
-DRIVE = Path(__file__).with_name("window_drive.py")
+HERE = Path(__file__).parent
 
 
 @pytest.fixture(scope="module")
@@ -47,14 +47,14 @@ def drive(display, tmp_path):
     path = tmp_path / "beach.shore"
     io.write_level(level, path)
 
-    def run(scenario: str, code: int = 0) -> dict:
+    def run(scenario: str, code: int = 0, by: str = "window_drive.py") -> dict:
         record = tmp_path / f"{scenario}.json"
         places = {f"XDG_{kind}_HOME": str(tmp_path / kind.lower()) for kind in ("STATE", "CONFIG", "CACHE")}
         env = {**os.environ, **places, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"}
         env.pop("WAYLAND_DISPLAY", None)
         done = subprocess.run(
-            [sys.executable, str(DRIVE), scenario, str(path), str(record)],
-            env=env, capture_output=True, text=True, timeout=600, cwd=DRIVE.parent,
+            [sys.executable, str(HERE / by), scenario, str(path), str(record)],
+            env=env, capture_output=True, text=True, timeout=600, cwd=HERE,
         )  # fmt: skip
         assert done.returncode == code, done.stderr[-4000:]
         assert record.exists(), done.stderr[-4000:]
@@ -183,7 +183,7 @@ def test_waves_panel_cuts_through_the_pointer(drive):
 
 def test_weather_is_painted_on_the_sky_and_on_the_map(drive):
     """T04: strokes begin where the pointer meets the shell of clouds, or on the panel's map; both are undone."""
-    found = drive("weather")
+    found = drive("weather", by="window_weather.py")
     assert found["bad"] == []
     assert found["brush"] == "weather"
     assert found["over_land"] == found["start"]
@@ -225,7 +225,7 @@ def test_skies_by_dialog_and_curves_by_mouse(drive):
     values = np.random.default_rng(1).integers(0, 256, (64, 96, 3)).astype(np.uint8)
     values[:, 48:] = 255
     write_image(drive.path.parent / "cut.png", values, data=True)
-    found = drive("skies")
+    found = drive("skies", by="window_weather.py")
     assert "'q'" in found["error"]
     assert any("stretched" in line for line in found["told"])
     assert found["steps"] == ["Weather map cut.png"]
@@ -257,12 +257,38 @@ def test_a_killed_editor_offers_what_it_had(drive):
     assert not restored["shall_exit"]
 
 
-def test_shots_in_the_window(drive):
-    """Z20 Z25: made by the action, in hand, in the panel and on the timeline; the hour in the status bar."""
-    found = drive("shots")
+def test_weather_storms_and_shots_by_mouse_and_menu(drive):
+    """D36 Z23 Z20 Z25: each is a step to undo; marks on the timeline are dragged; what is covered is told."""
+    found = drive("story", by="window_weather.py")
     assert found["bad"] == []
-    assert found["made"] == ["shot-1", "shot-2"]
-    assert found["taken"] == "shot-2"
-    assert found["marks"] == 2
+    assert found["menu"] == "gale"
+    assert found["menu_steps"] == ["Gale weather"]
+    assert found["menu_undone"]
+    assert found["filled"] == 1.0
+    assert found["panel"] == "calm"
+    assert found["panel_steps"] == ["Paint weather", "Calm weather"]
+    assert "all of the sky is painted; the preset shows only once paint is erased" in found["told"]
+    assert found["panel_undone"]
+    assert found["storm"] == [True, 1.0, 12.0]
+    assert found["storm_ended"][1] == 0.0
+    assert found["storm_steps"] == ["Bring a storm", "End the storm"]
+    assert found["storm_undone"]
+    assert found["made"] == [found["made_at"], found["made_at"] + 20] == [12.0, 32.0]
+    assert found["taken"] == "shot-1"
+    assert found["skies"] == 1
+    assert found["end"] == [12.0, pytest.approx(42, abs=0.5)]
+    assert found["start"] == [pytest.approx(6, abs=0.5), found["end"][1]]
+    assert found["moved"] == pytest.approx([at + 5 for at in found["start"]], abs=0.5)
+    assert found["moved"][1] - found["moved"][0] == pytest.approx(found["start"][1] - found["start"][0], abs=0.011)
+    assert found["end_steps"] == found["start_steps"] == found["moved_steps"] == 1
+    assert found["clock"] == 12.0
+    assert found["clicked"] == pytest.approx(20, abs=0.3)
+    assert found["clicked_steps"] == 1
+    assert found["back"] == [found["start"], found["end"], found["made"]]
+    assert found["renamed"] == found["unremoved"] == found["unrenamed"] == found["made"]
+    assert found["in_hand"] == "dawn"
+    assert found["shown"] == ["dawn"]
     assert found["button"]
-    assert found["hour"] == "21 June, 17:40"
+    assert found["removed"] == found["unmade"] == []
+    assert found["steps_left"] == 0
+    assert found["hour"] == "21 June, 18:20"

@@ -1,6 +1,7 @@
 """Works the real window by imgui's test engine, as a person would, and writes down what came of it.
 
 Run by test_window.py in a process of its own: `python window_drive.py SCENARIO LEVEL RECORD.json [SCREENSHOT]`.
+Skies, shots and named weather are worked by window_weather.py.
 docs/pictures/editor.jpg is `portrait` of a copy of sample_levels/cove.shore.
 """
 
@@ -15,15 +16,11 @@ from imgui_bundle import hello_imgui, imgui
 from shorewright.app import picture as picture_module
 from shorewright.app import window as editor_window
 from shorewright.app.object_markers import shown
-from shorewright.app.panels import curve_editor, gradient, history_panel
+from shorewright.app.panels import gradient, history_panel
 from shorewright.app.preferences import Preferences
 from shorewright.app.session import Session
-from shorewright.app.status_bar import day_text
-from shorewright.app.timeline_marks import bars
 from shorewright.io.images import write_image
-from shorewright.level.cloud_profile import curve_samples
 from shorewright.level.environments import environment_of
-from shorewright.level.weather import weather_at
 
 CTRL, SHIFT, ALT = imgui.Key.mod_ctrl, imgui.Key.mod_shift, imgui.Key.mod_alt
 LEFT, RIGHT, MIDDLE = 0, 1, 2
@@ -387,22 +384,6 @@ def portrait(hands: Hands) -> None:
     hands.settle()
 
 
-def shots(hands: Hands) -> None:
-    """Two shots in the panel and on the timeline, and the hour of a day that runs; nothing broke (Z20 Z25)."""
-    ctx, session = hands.ctx, hands.session
-    session.pause()
-    for time_s in (6.0, 16.0):
-        session.scrub(time_s)
-        hands.editor.do("shot")
-    session.set_all("Day", {"light.sun_from": "date", "light.day_rate": 600.0})
-    ctx.window_focus("//Objects")
-    ctx.yield_(4)
-    hands.note(made=sorted(name for name in session.level.objects if name.startswith("shot")), taken=session.selected)
-    hands.note(marks=len(bars(session.level, 0, 60)), button=ctx.item_exists("//Objects/**/###shot_to_paint"))
-    hands.note(hour=day_text(hands.editor).strip(), bad=[line.text for line in hands.editor.messages.lines if line.bad])
-    hands.settle()
-
-
 def waves(hands: Hands) -> None:
     """The clock's masks along a cut through the pointer (D03, H28); nothing in the panel broke."""
     hands.session.pause()
@@ -413,78 +394,6 @@ def waves(hands: Hands) -> None:
     cut = hands.window.waves.kept[1]
     hands.note(line=float((cut.a - cut.b).max()), samples=len(cut.along_m))
     hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
-
-
-def weather(hands: Hands) -> None:
-    """A sky by its swatch, painted in the picture and on the map, taken back; nothing over land; the eyedropper."""
-    ctx, session = hands.ctx, hands.session
-    session.pause()
-    session.camera = session.camera.model_copy(update={"x": 110.0, "y": 20.0, "z": 6.0, "yaw_deg": 10, "pitch_deg": 8})
-    hands.note(start=hands.sky())
-    hands.until(lambda: session.brush == "weather", lambda: hands.key(imgui.Key._9))
-    hands.drag((0.5, 0.85), (0.6, 0.9))
-    hands.note(brush=session.brush, over_land=hands.sky(), pointed=session.sky_cursor)
-    ctx.window_focus("//Weather map")
-    ctx.yield_(3)
-    params = session.params
-    swatch = "//Weather map/**/###cloud_thunderstorm"
-    hands.until(lambda: params["weather"].precipitation == 1, lambda: ctx.item_click(swatch))
-    hands.note(targets=[params["weather"].coverage, params["weather"].precipitation, params["weather"].type])
-
-    def over_the_sky() -> None:
-        hands.press((0.4, 0.15))
-        hands.move((0.5, 0.2))
-        hands.move((0.6, 0.12))
-        if session.stroke is not None:
-            hands.note(ring=session.sky_cursor, during=hands.sky())
-        hands.release()
-
-    hands.until(lambda: session.journal.done, over_the_sky)
-    hands.note(after=hands.sky(), steps=[s.label for s in session.journal.done])
-    session.scrub(session.clock.time_s + 60)  # the wind carries it on; the recorded stroke stays
-    hands.until(lambda: session.journal.undone, lambda: hands.key(CTRL, imgui.Key.z))
-    hands.note(undone=hands.sky())
-    hands.until(lambda: not session.journal.undone, lambda: hands.key(CTRL, SHIFT, imgui.Key.z))
-    hands.note(redone=hands.sky())
-    _paint_map(hands)
-    for left in (1, 0):
-        hands.until(lambda left=left: len(session.journal.done) <= left, lambda: hands.key(CTRL, imgui.Key.z))
-    hands.note(undone_at_last=hands.sky(), bad=[line.text for line in hands.editor.messages.lines if line.bad])
-
-
-def _paint_map(hands: Hands) -> None:
-    """A stroke on the panel, its wheel, its eyedropper."""
-    ctx, session, panel = hands.ctx, hands.session, hands.window.weather
-    ctx.scroll_to_top("//Weather map")
-    ctx.yield_(3)
-    side = panel.sight.side
-
-    def go(x: float, y: float) -> None:
-        ctx.mouse_move_to_pos((panel.corner[0] + side * x, panel.corner[1] + side * y))
-        ctx.yield_(2)
-
-    def stroke() -> None:
-        go(0.3, 0.3)
-        ctx.mouse_down(LEFT)
-        ctx.yield_(2)
-        go(0.6, 0.35)
-        hands.note(map_pointer=hands.editor.map_pointer)
-        ctx.mouse_up(LEFT)
-
-    def take() -> None:
-        ctx.key_down(int(imgui.Key.p))
-        ctx.yield_(2)
-        ctx.mouse_click(LEFT)
-        ctx.yield_(2)
-        ctx.key_up(int(imgui.Key.p))
-
-    hands.until(lambda: len(session.journal.done) > 1, stroke)
-    hands.note(on_map=hands.sky(), map_steps=[s.label for s in session.journal.done])
-    session.set_param("coverage", 0.1)
-    hands.until(lambda: session.params["weather"].coverage > 0.5, take)
-    hands.note(taken=session.params["weather"].coverage, took_steps=len(session.journal.done))
-    hands.until(lambda: panel.sight.span_m < 60_000, lambda: ctx.mouse_wheel_y(3))
-    hands.note(zoomed_m=panel.sight.span_m)
 
 
 def killed(hands: Hands) -> None:
@@ -513,94 +422,12 @@ def restored(hands: Hands) -> None:
     hands.ctx.yield_(2)
 
 
-def skies(hands: Hands) -> None:
-    """A weather map by its dialog, told about first; height curves of clouds by the mouse; the sky written out."""
-    ctx, session, folder = hands.ctx, hands.session, Path(sys.argv[2]).parent
-    hands.key(imgui.Key.space)
-    ctx.menu_click("//##MainMenuBar/File/Import weather map…")
-    ctx.yield_(2)
-    ctx.item_click("//$FOCUSED/###open_path")
-    ctx.key_chars_replace(str(folder / "cut.png"))
-    ctx.item_click("//$FOCUSED/Channels")
-    ctx.key_chars_replace("r,q,b")
-    ctx.item_click("//$FOCUSED/Import")
-    ctx.yield_(4)
-    hands.note(error=hands.window.dialogs.error)
-    ctx.item_click("//$FOCUSED/Channels")
-    ctx.key_chars_replace("r,0,0.6")
-    ctx.mouse_move("//$FOCUSED/Import")
-    ctx.mouse_click(0)
-    ctx.yield_(6)
-    form = hands.window.dialogs.form
-    if form is not None:  # the click that took the field's focus away
-        ctx.item_click("//$FOCUSED/Import")
-        ctx.yield_(4)
-    hands.note(told=[line.text for line in hands.editor.messages.lines])
-    layer = session.level.layers["weather"]
-    hands.note(steps=[s.label for s in session.journal.done], painted=int(layer.written.sum()))
-    ctx.menu_click("//##MainMenuBar/File/Export weather map…")
-    ctx.item_input_value("//$FOCUSED/###save_path", str(folder / "out.png"))
-    ctx.yield_(4)
-    hands.note(written=(folder / "out.png").exists())
-    _curves(hands)
-
-
-def _curves(hands: Hands) -> None:
-    """Drag a point of cumulus, add one on its line, remove it; each is a step."""
-    ctx, session = hands.ctx, hands.session
-    ctx.item_input_value("//Settings/**/###filter", "density by height")
-    ctx.yield_(4)
-    box = ctx.item_info("//Settings/**/###curves").rect_full
-    corner, width = box.min, box.max.x - box.min.x
-
-    def at(height: float, density: float) -> tuple[float, float]:
-        x, y = curve_editor._to_px(corner, width, height, density)
-        return float(x), float(y)
-
-    def curve() -> tuple:
-        return session.level.settings.clouds.cumulus
-
-    before, count = curve(), len(session.journal.done)
-    ctx.mouse_move_to_pos(at(*before[4:6]))
-    ctx.yield_(2)
-    ctx.mouse_down(LEFT)
-    for part in (0.3, 0.6, 1.0):
-        ctx.mouse_move_to_pos(at(before[4] + 0.08 * part, before[5] - 0.3 * part))
-        ctx.yield_(2)
-    ctx.mouse_up(LEFT)
-    ctx.yield_(2)
-    hands.note(dragged=curve(), drag_steps=len(session.journal.done) - count)
-    line = float(np.interp(0.5, np.linspace(0, 1, 1001), curve_samples(curve(), 1001)))
-    ctx.mouse_move_to_pos(at(0.5, line))
-    ctx.yield_(2)
-    ctx.mouse_click(LEFT)
-    ctx.yield_(2)
-    hands.note(added=curve(), add_steps=len(session.journal.done) - count)
-    ctx.mouse_move_to_pos(at(*curve()[8:10]))
-    ctx.yield_(2)
-    ctx.mouse_click(RIGHT)
-    ctx.yield_(2)
-    hands.note(removed=curve(), remove_steps=len(session.journal.done) - count)
-    hands.key(CTRL, imgui.Key.z)
-    hands.key(CTRL, imgui.Key.z)
-    hands.key(CTRL, imgui.Key.z)
-    hands.note(undone=curve() == before, before=before)
-    ctx.item_click("//Settings/**/###curve_above")
-    ctx.yield_(2)
-    place = (session.camera.x, session.camera.y)
-    sky = weather_at(session.level, session.clock.time_s, *(np.array([part]) for part in place), place)
-    hands.note(above=curve_editor._state["type"], sky_above=float(sky[0, 2]))
-    ctx.mouse_move_to_pos(at(*before[4:6]))
-    ctx.yield_(2)
-    hands.settle()
-
-
 def write(record: dict) -> None:
     Path(sys.argv[3]).write_text(json.dumps(record))
 
 
-def main() -> None:
-    scenario = globals()[sys.argv[1]]
+def main(scenarios: dict) -> None:
+    scenario = scenarios[sys.argv[1]]
     hands: list[Hands] = []
 
     def drive(ctx, window) -> None:
@@ -617,4 +444,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    main(globals())

@@ -72,7 +72,8 @@ def _level(path: Path, environment: str | None, weather: str | None, assignments
     """A level under an environment and a weather, with single settings changed."""
     from ...io import read_level
     from ...level.environments import environment_settings
-    from ...level.weather_presets import weather_settings
+    from ...level.preset_cover import covered
+    from ...level.weather_presets import SKY, weather_settings
 
     notes: list[str] = []
     level = read_level(path, notes)
@@ -81,6 +82,8 @@ def _level(path: Path, environment: str | None, weather: str | None, assignments
         level.set_settings(environment_settings(level.settings, environment))
     if weather:
         level.set_settings(weather_settings(level.settings, weather))
+    if environment or weather:
+        put_notes(covered(level, SKY))
     for text in assignments or []:
         level.set(*assignment(text))
     return level

@@ -68,12 +68,15 @@ def _shots(path: Path, names: list[str] | None, assignments: list[str] | None) -
     from ...io import read_level
     from ...level.framing import cameras
     from ...level.objects import Camera
+    from ...level.preset_cover import covered
+    from ...level.weather_presets import SKY
 
     notes: list[str] = []
     level = read_level(path, notes)
     put_notes(notes)
     for text in assignments or []:  # refused before anything is drawn
         level.set(*assignment(text))
+    put_notes(covered(level, SKY))
     own = {name: thing for name, thing in level.objects.items() if isinstance(thing, Camera)}
     made = {camera.id: camera for camera in cameras(level)}
     known = own if names is None and own else made | own

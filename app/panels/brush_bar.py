@@ -105,7 +105,9 @@ def draw_parameters(editor: Editor) -> None:
         return
     brush, params = BRUSHES[session.brush], session.params[session.brush]
     _told(brush.label, brush.doc)
-    idle = brush.effect.idle(params)
+    # a target that its own switch turns off keeps its line, for the switch
+    switches = [name for name in type(params).model_fields if name.startswith(param_widgets.PAINT)]
+    idle = brush.effect.idle(params.model_copy(update=dict.fromkeys(switches, True)))
     param_widgets.draw_all(
         [row for row in describe(type(params)) if row.name not in idle],
         lambda name: getattr(params, name),

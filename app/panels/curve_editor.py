@@ -17,7 +17,7 @@ from ...level.textures import spectral_noise
 from ...level.weather import weather_at
 from .. import theme
 from ..editor import Editor
-from ..param_widgets import tooltip
+from ..param_widgets import slider, tooltip
 
 PATHS = tuple(f"clouds.{name}" for name in KINDS)
 LABELS = ("Stratus", "Cumulus", "Cumulonimbus")
@@ -26,6 +26,7 @@ PLOT_PX, PICTURE_PX, HANDLE_PX, NEAR_PX, CELL_PX = 190.0, 84.0, 5.5, 8.0, 3.0
 GAP = 0.005  # of the shell's height, between two points that are dragged together
 MOST = 16  # points
 LINE_PIECES = 80
+GUTTER_PX = 50.0  # right of the curves, for heights
 _state = {"kind": 1, "dragged": -1, "type": -1.0}
 
 
@@ -90,14 +91,15 @@ def draw(editor: Editor) -> None:
 
 def _blend(editor: Editor) -> None:
     """Which blend is shown: any, or that of the sky over the camera."""
-    imgui.set_next_item_width(-imgui.calc_text_size("Above").x - 28)
-    _, _state["type"] = imgui.slider_float("###curve_type", _state["type"], 0.0, 1.0, _blend_text(_state["type"]))
+    imgui.set_next_item_width(-imgui.calc_text_size("Overhead").x - 28)
+    _, _state["type"] = slider("###curve_type", _state["type"], 0.0, 1.0, _blend_text(_state["type"]))
     tooltip("The blend shown: 0 stratus, 0.5 cumulus, 1 cumulonimbus. Changes nothing in the level.")
     imgui.same_line()
-    if imgui.button("Above###curve_above"):
+    if imgui.button("Overhead###curve_above"):
         session = editor.session
-        at = session.camera.x, session.camera.y
-        sky = weather_at(session.level, session.clock.time_s, *(np.array([part]) for part in at), at)
+        camera = session.camera
+        x, y = np.array([camera.x]), np.array([camera.y])
+        sky = weather_at(session.level, session.clock.time_s, x, y, (camera.x, camera.y), seen_by=camera.id)
         _state["type"] = float(sky[0, 2])
     tooltip("Show the blend that the weather map has over the camera now.")
 
@@ -123,22 +125,25 @@ def _kinds() -> None:
 
 def _to_px(corner, width: float, height, density):
     """Screen pixels of heights and densities."""
-    return corner.x + 6 + density * (width - 12), corner.y + PLOT_PX - 6 - height * (PLOT_PX - 12)
+    return corner.x + 6 + density * (width - 12 - GUTTER_PX), corner.y + PLOT_PX - 6 - height * (PLOT_PX - 12)
 
 
 def _from_px(corner, width: float, mouse) -> tuple[float, float]:
     """Height and density under the mouse."""
-    return (corner.y + PLOT_PX - 6 - mouse.y) / (PLOT_PX - 12), (mouse.x - corner.x - 6) / (width - 12)
+    return (corner.y + PLOT_PX - 6 - mouse.y) / (PLOT_PX - 12), (mouse.x - corner.x - 6) / (width - 12 - GUTTER_PX)
 
 
 def _backdrop(corner, width: float, clouds) -> None:
     draw_list = imgui.get_window_draw_list()
     end = imgui.ImVec2(corner.x + width, corner.y + PLOT_PX)
     draw_list.add_rect_filled(corner, end, theme.packed(theme.FIELD), 4)
-    faint = theme.packed(theme.INK_FAINT, 0.7)
+    faint = theme.packed(theme.INK_FAINT)
+    side, _ = _to_px(corner, width, 0.0, 1.0)
+    upper, lower = imgui.ImVec2(side + 6, corner.y), imgui.ImVec2(side + 6, end.y)
+    draw_list.add_line(upper, lower, theme.packed(theme.INK_FAINT, 0.3))
     for part in (0.0, 0.25, 0.5, 0.75, 1.0):
         _, y = _to_px(corner, width, part, 0.0)
-        draw_list.add_line(imgui.ImVec2(corner.x, y), imgui.ImVec2(end.x, y), theme.packed(theme.INK_FAINT, 0.18))
+        draw_list.add_line(imgui.ImVec2(corner.x, y), imgui.ImVec2(upper.x, y), theme.packed(theme.INK_FAINT, 0.18))
         if part in (0.0, 0.5, 1.0):
             text = f"{clouds.base_m + part * (max(clouds.top_m, clouds.base_m) - clouds.base_m):.0f} m"
             wide, high = imgui.calc_text_size(text)
@@ -234,3 +239,4 @@ def _picture(curves, width: float) -> None:
                 low, high, inks[row][col], inks[row][col + 1], inks[row + 1][col + 1], inks[row + 1][col]
             )
     tooltip("A cut through a cloud of this blend: coverage falls off to both sides.")
+    imgui.text_colored(theme.colour(theme.INK_FAINT), "Right is denser; up is up, from the base to the top of clouds.")

@@ -23,7 +23,7 @@ from . import gradient
 HIDDEN_FIELDS = ("id", "kind", "stops", "mesh", "map", "camera")  # what has a widget of its own, or none
 LIST_SHARE = 0.42
 FRAMED_M = 30.0  # how far off the camera stands from what it goes to
-_state = {"filter": "", "renaming": "", "name": ""}
+_state = {"filter": "", "renaming": "", "name": "", "seen": ""}
 
 
 @cache
@@ -102,6 +102,10 @@ def _row(editor: Editor, name: str, glyph: str) -> None:
             session.tool = SELECT
         if imgui.is_mouse_double_clicked(0):
             go_to(editor, name)
+    if name == session.selected != _state["seen"]:  # taken in hand elsewhere
+        _state["seen"] = name
+        if not imgui.is_item_visible():
+            imgui.set_scroll_here_y()
     param_widgets.tooltip("Double click goes there.")
 
 
@@ -145,6 +149,8 @@ def _selected(editor: Editor, thing: Placed) -> None:
         _mesh(editor, thing)
     if thing.kind == "shot":
         _sky(editor, thing)
+    if thing.kind == "weather_key":
+        _reach(editor, thing)
     param_widgets.draw_all(
         list(fields(thing.kind)),
         lambda name: getattr(thing, name),
@@ -180,16 +186,33 @@ def _mesh(editor: Editor, thing: Placed) -> None:
     param_widgets.tooltip("The mesh it shows, of those that the level holds.")
 
 
+def _reach(editor: Editor, key: Placed) -> None:
+    """What a key of the weather acts on, which its circle decides (D36)."""
+    weather = editor.session.level.settings.weather
+    text = (
+        "Everywhere: sky, waves, wind, rain and current."
+        if not key.radius_m
+        else ("Over its circle the sky alone: coverage, type, precipitation.")
+    )
+    imgui.push_text_wrap_pos(0)
+    imgui.text_unformatted(text)
+    if key.radius_m and key.weather == "snow" and weather.temperature_c > weather.snow_below_c:
+        cold = f"It rains here: snow falls below {weather.snow_below_c:g} °C, and the whole level has"
+        imgui.text_colored(theme.colour(theme.WARM), f"{cold} {weather.temperature_c:g} °C.")
+    imgui.pop_text_wrap_pos()
+    imgui.spacing()
+
+
 def _sky(editor: Editor, thing: Placed) -> None:
     """Which of the level's skies a shot shows, and in whose picture."""
     session = editor.session
     cameras = sorted(name for name, other in session.level.objects.items() if other.kind == "camera")
-    for field, names, none, doc in (
-        ("map", sorted(session.level.skies), "no sky", "The sky it shows, of those that the level holds."),
-        ("camera", cameras, "all cameras", "The camera whose picture has it."),
+    for field, title, names, none, doc in (
+        ("map", "Sky", sorted(session.level.skies), "no sky", "The sky it shows, of those that the level holds."),
+        ("camera", "Camera", cameras, "all cameras", "The camera whose picture has it; others don't see it."),
     ):
         value = getattr(thing, field)
-        imgui.set_next_item_width(-imgui.FLT_MIN)
+        param_widgets.beside(title, doc)
         if imgui.begin_combo(f"###{field}", value or none):
             for name in names if field == "map" else ["", *names]:
                 if imgui.selectable(f"{name or none}###{field}_{name}", name == value)[0]:

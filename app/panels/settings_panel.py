@@ -75,6 +75,8 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
         _named(editor, "environment", "light", ENVIRONMENTS, environment_of(settings))
     if opened and name == "weather":
         _named(editor, "weather", "weather", WEATHERS, weather_of(settings))
+    if opened and name == "storm":
+        _storm(editor)
     if opened:
         imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(7, 4))
         param_widgets.draw_all(
@@ -87,6 +89,18 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
         if any(row.name in curve_editor.PATHS for row in rows):
             curve_editor.draw(editor)
         imgui.spacing()
+
+
+def _storm(editor: Editor) -> None:
+    """Z23: one that sets out now, and its end."""
+    for number, name in enumerate(("storm", "storm_end")):
+        if number:
+            imgui.same_line()
+        imgui.begin_disabled(not ACTIONS[name].enabled(editor.session))
+        if imgui.button(f"{ACTIONS[name].title}###{name}"):
+            editor.do(ACTIONS[name])
+        imgui.end_disabled()
+    imgui.spacing()
 
 
 def _named(editor: Editor, what: str, actions: str, table: dict, now: str) -> None:

@@ -8,19 +8,18 @@ from dataclasses import replace
 import numpy as np
 from imgui_bundle import imgui
 
-from ...level.cloud_types import CLOUD_TYPES, CloudType
 from ...level.weather import STAGES, weather_at
 from .. import sky_brush, theme
-from ..actions import ACTIONS
 from ..editor import Editor
 from ..map_sight import Sight
 from ..param_widgets import tooltip
-from . import weather_marks
+from . import weather_marks, weather_paint
 
 LEFT, RIGHT, MIDDLE = 0, 1, 2
 TEXELS = 128
 LEAST_S = 0.1  # between two drawings of the map while only time goes on
-MOST_PX = 560
+LEAST_PX, MOST_PX = 220, 560
+LEGEND = (("cloud", (1.0, 0.42, 0.42)), ("rain", (0.45, 0.95, 0.45)), ("type", (0.55, 0.62, 1.0)))
 STAGE_DOC = {
     "simulated": "What the simulation makes with its bias.",
     "painted": "With the paint over it.",
@@ -44,15 +43,20 @@ class WeatherPanel:
         self.texture = None
         self._key: tuple = ()
         self._drawn_at = -1e9
+        self._below_px = 0.0  # what stands below the map, in the last frame
 
     def draw(self, ctx) -> None:
         """`ctx` is the window's OpenGL context."""
-        side = float(int(min(max(imgui.get_content_region_avail().x, 96), MOST_PX)))
+        room = imgui.get_content_region_avail()
+        # as large as what stands below leaves it, so that nothing scrolls; not too small to paint on
+        side = float(int(min(max(min(room.x, room.y - self._below_px), min(room.x, LEAST_PX)), MOST_PX)))
         self.sight = replace(self.sight or self._round_camera(), side=side)
+        imgui.set_cursor_pos_x(imgui.get_cursor_pos_x() + max(room.x - side, 0) // 2)
         self._map(ctx, side)
+        top = imgui.get_cursor_pos_y()
         self._controls()
-        self._hints()
-        self._swatches()
+        weather_paint.draw(self.editor)
+        self._below_px = imgui.get_cursor_pos_y() - top
 
     def release(self) -> None:
         if self.texture is not None:
@@ -84,12 +88,13 @@ class WeatherPanel:
         """Draw the map anew when the level, the view or, not too often, time changed."""
         session, sight = self.editor.session, self.sight
         camera = session.camera
-        key = (id(session.level), session.level.revision, sight, self.stage, camera.x, camera.y), session.clock.time_s
+        level = session.level
+        key = (id(level), level.revision, sight, self.stage, camera.x, camera.y, camera.id), session.clock.time_s
         now = time.monotonic()
         early = now - self._drawn_at < LEAST_S
         if self.texture is not None and (key == self._key or (key[0] == self._key[0] and early)):
             return
-        values = weather_at(session.level, key[1], *sight.grid(TEXELS), (camera.x, camera.y), self.stage)
+        values = weather_at(level, key[1], *sight.grid(TEXELS), (camera.x, camera.y), self.stage, camera.id)
         pixels = (np.clip(values[..., :3], 0, 1) * 255 + 0.5).astype(np.uint8)  # the talk's channels: R, G, B
         if self.texture is None:
             self.texture = ctx.texture((TEXELS, TEXELS), 3, alignment=1)
@@ -148,71 +153,25 @@ class WeatherPanel:
     # Beside it
 
     def _controls(self) -> None:
-        imgui.set_next_item_width(110)
+        imgui.set_next_item_width(100)
         changed, number = imgui.combo("###weather_stage", STAGES.index(self.stage), [s.capitalize() for s in STAGES])
         if changed:
             self.stage = STAGES[number]
         tooltip(f"Which step of the map is shown. {STAGE_DOC[self.stage]}")
         imgui.same_line()
-        if imgui.button(theme.titled("expand", "Whole", "weather_whole")):
+        if imgui.button(theme.titled("expand", "Whole map", "weather_whole")):
             self.sight = None
         tooltip("All of the map about the camera. The wheel zooms to the pointer, the middle or right button moves it.")
         imgui.same_line()
-        imgui.text_colored(theme.colour(theme.INK_FAINT), "cloud, rain, type")
-        tooltip(
-            "Red is coverage, green precipitation, blue the type from stratus to cumulus. Left paints, Ctrl and Shift"
-            " as with every brush; P+left takes the weather under the pointer as the brush's target."
-        )
-
-    def _hints(self) -> None:
-        """What keeps the paint from being seen, with a way out."""
-        settings = self.editor.session.level.settings
-        for path, on, text in (
-            ("clouds.on", settings.clouds.on, "Clouds are not drawn."),
-            ("weather.painted", settings.weather.painted, "Painted weather does not count."),
-        ):
-            if on:
-                continue
+        imgui.begin_group()
+        for number, (word, ink) in enumerate(LEGEND):
+            if number:
+                imgui.same_line(0, 5)
             imgui.align_text_to_frame_padding()
-            imgui.text_colored(theme.colour(theme.WARM), text)
-            imgui.same_line()
-            if imgui.button(f"Switch on###on_{path}"):
-                self.editor.set(path, True)
-            tooltip(f"Sets {path}.")
-
-    def _swatches(self) -> None:
-        """Skies with a name: a click makes one the target of the brush."""
-        imgui.separator_text("Paint")
-        for name, title, text, doc in (
-            ("sky.fill", "fill", "All of it", "The brush's targets over the whole sky, as one step."),
-            ("sky.erase", "eraser", "Erase all", "No paint anywhere: the simulation alone, as one step."),
-        ):
-            imgui.begin_disabled(not ACTIONS[name].enabled(self.editor.session))
-            if imgui.button(theme.titled(title, text, name)):
-                self.editor.do(name)
-            imgui.end_disabled()
-            tooltip(doc)
-            imgui.same_line()
-        imgui.new_line()
-        session, chosen = self.editor.session, sky_brush.chosen(self.editor.session)
-        columns = max(int(imgui.get_content_region_avail().x // 140), 1)
-        if not imgui.begin_table("###swatches", columns, imgui.TableFlags_.sizing_stretch_same):
-            return
-        for row in CLOUD_TYPES.values():
-            imgui.table_next_column()
-            if _swatch(row, row.name == chosen and sky_brush.in_hand(session)):
-                self.editor.attempt(sky_brush.choose, session, row.name)
-            tooltip(f"{row.doc}\nCoverage {row.coverage:g}, precipitation {row.precipitation:g}, type {row.type:g}.")
-        imgui.end_table()
-
-
-def _swatch(row: CloudType, lit: bool) -> bool:
-    corner, height = imgui.get_cursor_screen_pos(), imgui.get_frame_height()
-    clicked = imgui.selectable(f"###cloud_{row.name}", lit, 0, imgui.ImVec2(0, height))[0]
-    draw_list, ink = imgui.get_window_draw_list(), (row.coverage, row.precipitation, row.type)
-    low, high = imgui.ImVec2(corner.x + 3, corner.y + 3), imgui.ImVec2(corner.x + height - 3, corner.y + height - 3)
-    draw_list.add_rect_filled(low, high, theme.packed(ink), 3)
-    draw_list.add_rect(low, high, theme.packed(theme.INK_FAINT, 0.7), 3)
-    middle = corner.y + (height - imgui.get_font_size()) / 2
-    draw_list.add_text(imgui.ImVec2(corner.x + height + 4, middle), theme.packed(theme.INK), row.label)
-    return clicked
+            imgui.text_colored(theme.colour(ink), word)
+        imgui.end_group()
+        tooltip(
+            "Colours of the map: red is coverage, green precipitation, blue the type from stratus to cumulus; black is"
+            " a clear sky. Left paints, Ctrl and Shift as with every brush; P+left takes the weather under the pointer"
+            " as the brush's target."
+        )

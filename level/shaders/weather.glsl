@@ -3,8 +3,10 @@
 uniform sampler2D u_weather_noise;       // a broad pattern and its quarter turn, a fine one and its own; Gaussian
 uniform sampler2D u_layer_weather;       // painted coverage, precipitation, type; weight of the coverage
 uniform sampler2D u_layer_weather_more;  // weights of precipitation and type
-uniform sampler2D u_weather_shot_a, u_weather_shot_b;        // skies of shots, the lower first
-uniform vec3 u_weather_shot_a_at, u_weather_shot_b_at;       // metres moved, share
+const int MOST_SHOTS = 16;
+uniform sampler2DArray u_weather_shot_skies;  // skies of shots, the lower first
+uniform int u_weather_shots;
+uniform vec4 u_weather_shot[MOST_SHOTS];      // metres moved, share
 uniform vec2 u_weather_over_shots;       // how much of the paint and of the horizon's sky shows over them
 uniform vec4 u_weather_turn;             // cosine and sine of the state of the broad and of the fine pattern
 uniform vec2 u_weather_moved;            // metres that the air has moved, and the map's middle
@@ -63,11 +65,14 @@ vec4 weather_simulated(vec2 xy) {
                 weather_spread(mean.y, weather_even(xy, vec2(0.371, 0.613)), 0.3), storm.y);
 }
 
-// The sky of a shot over what there is.
-vec3 weather_shot(vec3 sky, sampler2D map, vec3 at, vec2 xy) {
-    if (at.z <= 0.0) return sky;
-    vec2 side = vec2(textureSize(map, 0));
-    return mix(sky, textureLod(map, (xy - at.xy) / WEATHER_TILE_M + 0.5 + 0.5 / side, 0.0).rgb, at.z);
+// The skies of shots over what there is, each over those before it.
+vec3 weather_with_shots(vec3 sky, vec2 xy) {
+    vec2 side = vec2(textureSize(u_weather_shot_skies, 0).xy);
+    for (int i = 0; i < u_weather_shots; ++i) {
+        vec2 uv = (xy - u_weather_shot[i].xy) / WEATHER_TILE_M + 0.5 + 0.5 / side;
+        sky = mix(sky, textureLod(u_weather_shot_skies, vec3(uv, float(i)), 0.0).rgb, u_weather_shot[i].z);
+    }
+    return sky;
 }
 
 // Coverage, precipitation and gradient coordinate of coverage, precipitation and type (Z04).
@@ -78,9 +83,7 @@ vec3 weather_pulled(vec3 sky) {
 // The map up to a stage at world metres, `camera` in world metres too; w is the weight of the paint.
 vec4 weather_of(vec2 xy, vec2 camera, int stage) {
     vec4 simulated = weather_simulated(xy);
-    vec3 sky = simulated.xyz, weight = vec3(0.0);
-    sky = weather_shot(sky, u_weather_shot_a, u_weather_shot_a_at, xy);
-    sky = weather_shot(sky, u_weather_shot_b, u_weather_shot_b_at, xy);
+    vec3 sky = weather_with_shots(simulated.xyz, xy), weight = vec3(0.0);
     if (stage > STAGE_SIMULATED && u_weather_painted) {
         vec2 side = vec2(textureSize(u_layer_weather, 0));
         vec2 uv = (xy - u_weather_paint_moved) / WEATHER_TILE_M + 0.5 + 0.5 / side;

@@ -46,8 +46,7 @@ def make_map(frame: Frame, made: KeptMap, stage: str) -> None:
         level.settings.level.seed,
         level.layers["weather"],
         uploader.seen["layer_weather"],
-        uploader.seen["u_weather_shot_a"],
-        uploader.seen["u_weather_shot_b"],
+        uploader.seen["u_weather_shot_skies"],
         shader.generation,
     )
     if made.key == key:
@@ -65,9 +64,8 @@ def bind_weather(frame: Frame, values: dict) -> dict[str, str]:
     uploader = frame.renderer.uploader
     frame.textures["u_layer_weather"] = uploader.layer(frame.level, "weather")
     frame.textures["u_layer_weather_more"] = uploader.textures["u_layer_weather_more"]
-    shots = [seen.shot.map for seen in shots_at(frame.level, frame.time_s, frame.camera.id)]
-    for sampler, name in zip(("u_weather_shot_a", "u_weather_shot_b"), (*shots, "", "")):
-        frame.textures[sampler] = uploader.shot_sky(frame.level, sampler, name)
+    shots = tuple(seen.shot.map for seen in shots_at(frame.level, frame.time_s, frame.camera.id))
+    frame.textures["u_weather_shot_skies"] = uploader.shot_skies(frame.level, shots)
     frame.textures["u_weather_noise"] = uploader.weather_noise(frame.level, weather_noise)
     # whoever else draws the map may have asked without the camera
     frame.uniforms |= values | shot_uniforms(frame.level, frame.time_s, frame.camera.id)
