@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import copy
 from contextlib import nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from importlib import import_module
 
 import numpy as np
@@ -20,6 +20,7 @@ from ..level.weather_keys import level_at
 from .camera import Matrices, camera_matrices, jitter
 from .quality import Tier, tier
 from .show import Overlays, Show
+from .sky_textures import SkyTextures
 from .views import View, find_view
 
 
@@ -116,6 +117,8 @@ class Frame:
     matrices: Matrices
     targets: object
     textures: dict
+    source: Level  # as it is edited, whatever the time
+    sky: SkyTextures  # the light of its moment
     index: int = 0  # which of the samples
     live: bool = False  # one of many pictures: what is dear may be made a part at a time
     uniforms: dict = field(default_factory=dict)
@@ -155,7 +158,6 @@ class Renderer:
         """`background`: draw with coarse textures while fine ones are made (Textures)."""
         from .cloud_textures import CloudTextures
         from .program import Programs
-        from .sky_textures import SkyTextures
         from .textures import Textures
         from .upload import Uploader
 
@@ -214,17 +216,14 @@ class Renderer:
         overlays: Overlays | None, samples: int = 1, index: int = 0, scale: float = 1.0,
     ) -> Frame:  # fmt: skip
         """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
-        from .overcast import overcast
         from .uniforms import frame_uniforms
 
         show, row = show or Show(), tier(quality)
-        shown = copy.copy(level_at(level, time_s))  # shares arrays and caches, has settings of its own
-        shown.settings = view.changed(show.settings(shown.settings))
+        shown = _dated(level, time_s, view, show)
         self.uploader.sync(level)
         self.uploader.table(shown)
         self.generated.update(row)
-        over = overcast(shown, time_s, (camera.x, camera.y), "clouds" in show and "sky" in show)
-        self.sky.update(shown, time_s, over)
+        _light(self.sky, shown, time_s, camera, show)
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
         matrices = camera_matrices(camera, size, self._near(level, camera), tuple(offset))
@@ -232,10 +231,21 @@ class Renderer:
         textures = {**self.uploader.textures, **dict(self.generated.items()), **self.sky.textures, **targets.textures}
         frame = Frame(
             self, shown, camera, drawn, size, time_s, view, show, row, overlays or Overlays(), samples, matrices,
-            targets, textures, index=index,
+            targets, textures, level, self.sky, index=index,
         )  # fmt: skip
         frame.uniforms = frame_uniforms(frame)
         return frame
+
+    def at_time(self, frame: Frame, time_s: float, sky: SkyTextures) -> Frame:
+        """The frame from the same place as it would be at another time; `sky` takes that moment's light."""
+        from .uniforms import frame_uniforms
+
+        shown = _dated(frame.source, time_s, frame.view, frame.show)
+        _light(sky, shown, time_s, frame.camera, frame.show)
+        textures = {**frame.textures, **sky.textures}
+        there = replace(frame, level=shown, time_s=time_s, textures=textures, sky=sky, uniforms={}, stats={})
+        there.uniforms = frame_uniforms(there)
+        return there
 
     def _run(self, frame: Frame, once: bool) -> None:
         self.ctx.disable(self.ctx.DEPTH_TEST | self.ctx.BLEND | self.ctx.CULL_FACE)
@@ -289,6 +299,19 @@ class Renderer:
         for held in (self.targets, self.meshes, self.kept):
             _give_back(held)
             held.clear()
+
+
+def _dated(level: Level, time_s: float, view: View, show: Show) -> Level:
+    """A level as a picture shows it at a time: arrays and caches are shared, settings its own."""
+    shown = copy.copy(level_at(level, time_s))
+    shown.settings = view.changed(show.settings(shown.settings))
+    return shown
+
+
+def _light(sky: SkyTextures, shown: Level, time_s: float, camera: Camera, show: Show) -> None:
+    from .overcast import overcast
+
+    sky.update(shown, time_s, overcast(shown, time_s, (camera.x, camera.y), "clouds" in show and "sky" in show))
 
 
 def _give_back(held: dict) -> None:

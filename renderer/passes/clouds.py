@@ -14,6 +14,8 @@ from ..uniforms import set_uniforms
 from .cloud_history import advance, seen_now
 
 REACH_M = 55_000.0
+AROUND_S, AROUND_M = 2.0, 200.0  # clouds all round are those of whole multiples of this time, of places so far apart
+AROUND_EYE_M = 2.0
 UNDER_CLOUD = 0.6  # of the light that the ground gives back: part of it lies in their shadow
 
 
@@ -125,7 +127,7 @@ def air_uniforms(level, time_s: float) -> dict:
 
 def light_uniforms(frame: Frame) -> dict:
     """The sun on the clouds, and the light from above and from below, as radiance."""
-    sky = frame.renderer.sky.light
+    sky = frame.sky.light
     c = sky.harmonics
     up = c[0] * 0.282095 + c[6] * 0.630784
     below = (up - c[2] * 0.488603) * (1.0 if sky.even else UNDER_CLOUD)
