@@ -10,6 +10,7 @@ import copy
 from contextlib import nullcontext
 from dataclasses import dataclass, field, replace
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -20,8 +21,10 @@ from ..level.weather_keys import level_at
 from .camera import Matrices, camera_matrices, jitter
 from .quality import Tier, tier
 from .show import Overlays, Show
-from .sky_textures import SkyTextures
 from .views import View, find_view
+
+if TYPE_CHECKING:
+    from .sky_textures import SkyTextures
 
 
 @dataclass(frozen=True)
@@ -158,6 +161,7 @@ class Renderer:
         """`background`: draw with coarse textures while fine ones are made (Textures)."""
         from .cloud_textures import CloudTextures
         from .program import Programs
+        from .sky_textures import SkyTextures
         from .textures import Textures
         from .upload import Uploader
 
