@@ -14,7 +14,8 @@ import numpy as np
 
 from ..level import Settings
 from ..level.sun import MOON_BELOW_DEG, day_runs
-from .sky_light import LUMINANCE, SkyLight, made, sky_light, unit_of
+from .light_ahead import step_light
+from .sky_light import LUMINANCE, SkyLight, sky_light, unit_of
 
 LOWEST_DEG = -20.0  # from there on nothing of the sun is left
 LOW_DEG, LOW_STEP_DEG, STEP_DEG = 3.0, 0.25, 0.5  # about the horizon light changes the most
@@ -25,7 +26,7 @@ SCALED = ("sun", "disc", "table", "deck", "harmonics", "aerial", "fog", "mean_su
 ODD = (3, 7)  # harmonics that change sign with the azimuth
 
 
-@lru_cache(maxsize=4)
+@lru_cache(maxsize=16)
 def day_light(elevation_deg: float, sky: tuple, moonlit: bool) -> SkyLight:
     """Light under a sun at an elevation; `sky` is all else that `made` takes."""
     light = _between(elevation_deg, sky)
@@ -34,22 +35,28 @@ def day_light(elevation_deg: float, sky: tuple, moonlit: bool) -> SkyLight:
     return _with_moon(light, _between(-elevation_deg, (sky[0], "moon", *sky[2:])), elevation_deg)
 
 
-@lru_cache(maxsize=64)
-def _step(elevation_deg: float, sky: tuple) -> SkyLight:
-    return made(elevation_deg, *sky)
-
-
 def _between(elevation_deg: float, sky: tuple) -> SkyLight:
     """The light between two steps, so weighted that its amount goes by equal shares, as at dusk."""
     at = max(elevation_deg, LOWEST_DEG)
-    step = LOW_STEP_DEG if abs(at) < LOW_DEG else STEP_DEG
-    below = math.floor(at / step) * step
-    low, high = _step(below, sky), _step(min(below + step, 90.0), sky)
-    share = (at - below) / step
+    below, above = steps_about(at)
+    low, high = step_light(below, sky), step_light(above, sky)
+    share = (at - below) / step_deg(at)
     ratio = amount(high) / amount(low)
     if abs(ratio - 1) > 1e-6:
         share = (ratio**share - 1) / (ratio - 1)
     return _sum(elevation_deg, ((low, 1 - share), (high, share)))
+
+
+def step_deg(elevation_deg: float) -> float:
+    """How far apart steps are there."""
+    return LOW_STEP_DEG if abs(elevation_deg) < LOW_DEG else STEP_DEG
+
+
+def steps_about(elevation_deg: float) -> tuple[float, float]:
+    """The steps below and above an elevation."""
+    step = step_deg(elevation_deg)
+    below = math.floor(elevation_deg / step) * step
+    return below, min(below + step, 90.0)
 
 
 def _with_moon(sun: SkyLight, moon: SkyLight, sun_elevation_deg: float) -> SkyLight:

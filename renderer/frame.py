@@ -17,6 +17,7 @@ import numpy as np
 from ..level import Level
 from ..level.objects import Camera
 from ..level.params import get
+from ..level.sun import day_runs
 from ..level.weather_keys import level_at
 from .camera import Matrices, camera_matrices, jitter
 from .quality import Tier, tier
@@ -189,12 +190,16 @@ class Renderer:
         filter fills them, None the tier's; views of numbers are never scaled. `live` pictures follow each other: of
         the clouds of each a part is marched, the others are remembered.
         """
+        from .light_ahead import light_ahead
+
         row = find_view(view)
         scale = 1.0 if row.value else tier(quality).scale if scale is None else scale
         part = range(max(samples, 1)) if part is None else part
         for index in part:
             frame = self.prepare(level, camera, size, time_s, row, show, quality, overlays, samples, index, scale)
             frame.live = live
+            if live:
+                light_ahead(frame.level.settings, time_s, self.sky.overcast)
             targets = frame.targets
             self._run(frame, once=False)
             if samples > 1:
@@ -227,7 +232,7 @@ class Renderer:
         self.uploader.sync(level)
         self.uploader.table(shown)
         self.generated.update(row)
-        _light(self.sky, shown, time_s, camera, show)
+        self.sky.update(shown, time_s, _overcast(shown, time_s, camera, show))
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
         matrices = camera_matrices(camera, size, self._near(level, camera), tuple(offset))
@@ -245,11 +250,19 @@ class Renderer:
         from .uniforms import frame_uniforms
 
         shown = _dated(frame.source, time_s, frame.view, frame.show)
-        _light(sky, shown, time_s, frame.camera, frame.show)
+        sky.update(shown, time_s, _overcast(shown, time_s, frame.camera, frame.show))
         textures = {**frame.textures, **sky.textures}
         there = replace(frame, level=shown, time_s=time_s, textures=textures, sky=sky, uniforms={}, stats={})
         there.uniforms = frame_uniforms(there)
         return there
+
+    def ask_light(self, frame: Frame, time_s: float) -> None:
+        """Have the light of another moment of a day that runs worked out beside the pictures."""
+        from .light_ahead import light_ahead
+
+        if day_runs(frame.level.settings.light):
+            shown = _dated(frame.source, time_s, frame.view, frame.show)
+            light_ahead(shown.settings, time_s, _overcast(shown, time_s, frame.camera, frame.show), 0.0)
 
     def _run(self, frame: Frame, once: bool) -> None:
         self.ctx.disable(self.ctx.DEPTH_TEST | self.ctx.BLEND | self.ctx.CULL_FACE)
@@ -312,10 +325,10 @@ def _dated(level: Level, time_s: float, view: View, show: Show) -> Level:
     return shown
 
 
-def _light(sky: SkyTextures, shown: Level, time_s: float, camera: Camera, show: Show) -> None:
+def _overcast(shown: Level, time_s: float, camera: Camera, show: Show):
     from .overcast import overcast
 
-    sky.update(shown, time_s, overcast(shown, time_s, (camera.x, camera.y), "clouds" in show and "sky" in show))
+    return overcast(shown, time_s, (camera.x, camera.y), "clouds" in show and "sky" in show)
 
 
 def _give_back(held: dict) -> None:

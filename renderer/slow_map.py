@@ -164,6 +164,8 @@ def _go_on(frame, slow: Slow, coming: Coming, gone_s: float) -> None:
     part = coming.steps[coming.done : coming.done + asked]
     _run(frame, part)
     coming.done += len(part)
+    if part and coming.whole:
+        frame.renderer.ask_light(frame, coming.due_s + slow.every_s)
     frame.stats["map_strips"] = frame.stats.get("map_strips", 0) + len(part)
 
 
