@@ -14,6 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..level.sun import day_runs
 from ..level.weather_keys import base_settings
 from .kept_map import KeptMap
 from .sky_textures import SkyTextures
@@ -22,6 +23,7 @@ AHEAD = "_ahead"  # ends the names of maps in the making
 STRIPS = 32  # of a map
 MOST_SHARE = 1 / 8  # of all strips a picture, however slowly pictures follow each other
 READY = 0.7  # of the time between two maps: then the next is to be whole
+SUN_DEG, LEAST_S = 1.0, 0.5
 JUMP_S, JUMP_M = 1.0, 200.0  # from one picture to the next; more is no way but a jump
 SECTIONS = ("clouds", "cloud_terms", "weather", "storm", "light", "fog", "level")
 
@@ -147,9 +149,20 @@ def _take_turns(frame, slow: Slow, coming: Coming) -> None:
     coming.drop()
 
 
+def _every_s(frame, slow: Slow) -> float:
+    """The time from map to map: halved until the sun goes no more than SUN_DEG in it, but for LEAST_S."""
+    light, every_s = frame.level.settings.light, slow.every_s
+    if day_runs(light):
+        degrees = 360.0 / 86400.0 * light.day_rate * 24.0 / light.day_h
+        while every_s > LEAST_S and every_s * degrees > SUN_DEG:
+            every_s /= 2
+    return every_s
+
+
 def _begin(frame, slow: Slow, coming: Coming) -> None:
-    """The maps of the next whole moment."""
-    due_s = (math.floor(frame.time_s / slow.every_s) + 1) * slow.every_s
+    """The maps of the next whole moment, nearer where the sun goes fast."""
+    every_s = _every_s(frame, slow)
+    due_s = (math.floor(frame.time_s / every_s) + 1) * every_s
     coming.sky = coming.sky or SkyTextures(frame.renderer.ctx)
     ahead = frame.renderer.at_time(frame, due_s, coming.sky)
     coming.due_s = due_s
@@ -160,12 +173,12 @@ def _begin(frame, slow: Slow, coming: Coming) -> None:
 def _go_on(frame, slow: Slow, coming: Coming, gone_s: float) -> None:
     """As many steps as the pictures' rhythm asks for, within bounds."""
     total = len(coming.steps)
-    asked = min(math.ceil(total * gone_s / (READY * slow.every_s)), max(int(MOST_SHARE * total), 1))
+    asked = min(math.ceil(total * gone_s / (READY * _every_s(frame, slow))), max(int(MOST_SHARE * total), 1))
     part = coming.steps[coming.done : coming.done + asked]
     _run(frame, part)
     coming.done += len(part)
     if part and coming.whole:
-        frame.renderer.ask_light(frame, coming.due_s + slow.every_s)
+        frame.renderer.ask_light(frame, coming.due_s + _every_s(frame, slow))
     frame.stats["map_strips"] = frame.stats.get("map_strips", 0) + len(part)
 
 

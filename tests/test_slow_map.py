@@ -115,3 +115,24 @@ def test_shadows_go_on_where_maps_take_turns(renderer, sky):
         np.testing.assert_allclose(place, expected, atol=1e-6)
         seen.append((then_s, place))
     assert turns == 2
+
+
+@pytest.mark.parametrize("hour", [20.2, 21.2])
+def test_what_is_mirrored_goes_on_with_a_fast_day(renderer, sky, hour):
+    """Z25, L02: a day in two minutes, at sunset and through dusk: from picture to picture the mirrored sky's mean, as
+    the sea is given it, keeps within a fifth of a still picture's (left alone it is off by half), whatever unit the
+    light has."""
+    for path, value in {"light.sun_from": "date", "light.day_rate": 720.0, "light.hour": hour}.items():
+        sky.set(path, value)
+
+    def mirrored(time_s, live):
+        frame = step(renderer, sky, time_s, live)
+        lobes.draw(frame)
+        atlas = renderer.kept["lobes"].texture
+        texels = np.frombuffer(atlas.read(alignment=1), np.float16).reshape(*atlas.size[::-1], 4)
+        return texels[336:, :16, 1].mean(dtype=np.float64) * frame.uniforms["u_lobes_gone_on"][1] / frame.sky.light.unit
+
+    mirrored(0.0, False)
+    live = [mirrored(number / 16, True) for number in range(24)]
+    still = [mirrored(number / 16, False) for number in range(24)]
+    np.testing.assert_allclose(live, still, rtol=0.2)

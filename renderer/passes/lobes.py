@@ -1,5 +1,7 @@
 """What smooth and rough things mirror of the sky: six octahedral maps, made anew when the sky changes (L02).
 
+Live pictures make them for a moment ahead (slow_map.py); as a day goes on, their light goes on with the sky's.
+
 Maps of the sphere in one plain texture take the place of a cube with mip levels: every driver can draw into it.
 """
 
@@ -27,7 +29,9 @@ def draw(frame: Frame) -> None:
             for step in making.steps:
                 step.draw()
             making.made.key = making.key
-    frame.textures["u_lobes"] = frame.renderer.kept["lobes"].texture
+    lobes = frame.renderer.kept["lobes"]
+    frame.textures["u_lobes"] = lobes.texture
+    frame.uniforms["u_lobes_gone_on"] = tuple(float(v) for v in _sky_up(frame.sky.light) / lobes.seen)
 
 
 def lobes_making(frame: Frame, dome: tuple | None = None, ending: str = "", strips: int = 1) -> Making:
@@ -47,6 +51,12 @@ def lobes_making(frame: Frame, dome: tuple | None = None, ending: str = "", stri
     return Making(lobes, key, _steps(frame, lobes, defines, cirrus, strips), "lobes")
 
 
+def _sky_up(light) -> np.ndarray:
+    """Light of the sky from above, `(3,)`, times the unit in use."""
+    c = light.harmonics
+    return c[0] * 0.282095 + c[2] * 0.488603 + c[6] * 0.630784 + 1e-12
+
+
 def _steps(frame: Frame, lobes, defines: dict, cirrus: float, strips: int) -> list[Step]:
     light, direction = frame.sky.light, frame.uniforms["u_sun_direction"]
     down = light.on_level(max(float(direction[2]), 0.0))
@@ -59,6 +69,7 @@ def _steps(frame: Frame, lobes, defines: dict, cirrus: float, strips: int) -> li
             shader = frame.shader("lobes.glsl", **defines)
             set_uniforms(shader.program, {**values, "u_level": level})
             shader.fullscreen()
+            lobes.seen = _sky_up(light)
 
         steps += in_strips(lobes, draw, max(int(strips * STRIPS[level]), 1), (0, top, size, size))
         top += size
