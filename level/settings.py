@@ -151,6 +151,11 @@ class Light(Section):
     )  # fmt: skip
     day_h: float = param(24.0, 0.1, 10_000, "h", "Length of a whole day at a rate of 1.", soft=(1, 48))
     adapt: float = param(0.82, 0, 1, "", "How far the exposure follows the light while the day runs.")
+    adapt_from: Literal["day", "start"] = param(
+        "day",
+        doc="What the exposure is set for while the day runs: daylight, which for a day that begins at night is its "
+        "noon's, or the light at the start.",
+    )
     moonlit: bool = param(True, doc="The full moon shines at night, opposite the sun, while the day runs.")
     body: Literal["sun", "moon", "even"] = param(
         "sun", doc="What shines: the sun, the full moon in its place, or even white light from all sides."

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import datetime
 import math
+from functools import lru_cache
 
 from .params import replace
 from .settings import Light, Settings
@@ -109,6 +110,17 @@ def sun_place(light: Light, time_s: float = 0.0) -> tuple[float, float]:
     return sun_angles(
         light.month, light.day, day_hours(light, time_s), light.utc_offset_h, light.latitude_deg, light.longitude_deg
     )  # fmt: skip
+
+
+def highest_deg(light: Light) -> float:
+    """The sun's highest elevation on a level's date, degrees."""
+    return _highest_deg(light.month, light.day, light.utc_offset_h, light.latitude_deg, light.longitude_deg)
+
+
+@lru_cache(maxsize=8)
+def _highest_deg(month: int, day: int, utc_offset_h: float, latitude_deg: float, longitude_deg: float) -> float:
+    place = utc_offset_h, latitude_deg, longitude_deg
+    return max(sun_angles(month, day, n / 10, *place)[1] for n in range(240))
 
 
 def moon_shines(light: Light, sun_elevation_deg: float) -> bool:

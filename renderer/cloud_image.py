@@ -37,6 +37,7 @@ class Seen:
     rays: tuple[np.ndarray, np.ndarray, np.ndarray]  # forward, and a unit of clip space to the right and up
     time_s: float
     drift_m: np.ndarray
+    light: np.ndarray  # about what reaches the clouds, `(3,)`
     key: tuple
 
     def same_view(self, other: Seen) -> bool:

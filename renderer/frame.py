@@ -8,19 +8,24 @@ from __future__ import annotations
 
 import copy
 from contextlib import nullcontext
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from importlib import import_module
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera
 from ..level.params import get
+from ..level.sun import day_runs
 from ..level.weather_keys import level_at
 from .camera import Matrices, camera_matrices, jitter
 from .quality import Tier, tier
 from .show import Overlays, Show
 from .views import View, find_view
+
+if TYPE_CHECKING:
+    from .sky_textures import SkyTextures
 
 
 @dataclass(frozen=True)
@@ -116,6 +121,8 @@ class Frame:
     matrices: Matrices
     targets: object
     textures: dict
+    source: Level  # as it is edited, whatever the time
+    sky: SkyTextures  # the light of its moment
     index: int = 0  # which of the samples
     live: bool = False  # one of many pictures: what is dear may be made a part at a time
     uniforms: dict = field(default_factory=dict)
@@ -183,12 +190,16 @@ class Renderer:
         filter fills them, None the tier's; views of numbers are never scaled. `live` pictures follow each other: of
         the clouds of each a part is marched, the others are remembered.
         """
+        from .light_ahead import light_ahead
+
         row = find_view(view)
         scale = 1.0 if row.value else tier(quality).scale if scale is None else scale
         part = range(max(samples, 1)) if part is None else part
         for index in part:
             frame = self.prepare(level, camera, size, time_s, row, show, quality, overlays, samples, index, scale)
             frame.live = live
+            if live:
+                light_ahead(frame.level.settings, time_s, self.sky.overcast)
             targets = frame.targets
             self._run(frame, once=False)
             if samples > 1:
@@ -214,17 +225,14 @@ class Renderer:
         overlays: Overlays | None, samples: int = 1, index: int = 0, scale: float = 1.0,
     ) -> Frame:  # fmt: skip
         """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
-        from .overcast import overcast
         from .uniforms import frame_uniforms
 
         show, row = show or Show(), tier(quality)
-        shown = copy.copy(level_at(level, time_s))  # shares arrays and caches, has settings of its own
-        shown.settings = view.changed(show.settings(shown.settings))
+        shown = _dated(level, time_s, view, show)
         self.uploader.sync(level)
         self.uploader.table(shown)
         self.generated.update(row)
-        over = overcast(shown, time_s, (camera.x, camera.y), "clouds" in show and "sky" in show)
-        self.sky.update(shown, time_s, over)
+        self.sky.update(shown, time_s, _overcast(shown, time_s, camera, show))
         drawn = tuple(max(round(side * scale), 1) for side in size)
         offset = np.array(jitter(index, samples)) * size / drawn
         matrices = camera_matrices(camera, size, self._near(level, camera), tuple(offset))
@@ -232,10 +240,29 @@ class Renderer:
         textures = {**self.uploader.textures, **dict(self.generated.items()), **self.sky.textures, **targets.textures}
         frame = Frame(
             self, shown, camera, drawn, size, time_s, view, show, row, overlays or Overlays(), samples, matrices,
-            targets, textures, index=index,
+            targets, textures, level, self.sky, index=index,
         )  # fmt: skip
         frame.uniforms = frame_uniforms(frame)
         return frame
+
+    def at_time(self, frame: Frame, time_s: float, sky: SkyTextures) -> Frame:
+        """The frame from the same place as it would be at another time; `sky` takes that moment's light."""
+        from .uniforms import frame_uniforms
+
+        shown = _dated(frame.source, time_s, frame.view, frame.show)
+        sky.update(shown, time_s, _overcast(shown, time_s, frame.camera, frame.show))
+        textures = {**frame.textures, **sky.textures}
+        there = replace(frame, level=shown, time_s=time_s, textures=textures, sky=sky, uniforms={}, stats={})
+        there.uniforms = frame_uniforms(there)
+        return there
+
+    def ask_light(self, frame: Frame, time_s: float) -> None:
+        """Have the light of another moment of a day that runs worked out beside the pictures."""
+        from .light_ahead import light_ahead
+
+        if day_runs(frame.level.settings.light):
+            shown = _dated(frame.source, time_s, frame.view, frame.show)
+            light_ahead(shown.settings, time_s, _overcast(shown, time_s, frame.camera, frame.show), 0.0)
 
     def _run(self, frame: Frame, once: bool) -> None:
         self.ctx.disable(self.ctx.DEPTH_TEST | self.ctx.BLEND | self.ctx.CULL_FACE)
@@ -289,6 +316,19 @@ class Renderer:
         for held in (self.targets, self.meshes, self.kept):
             _give_back(held)
             held.clear()
+
+
+def _dated(level: Level, time_s: float, view: View, show: Show) -> Level:
+    """A level as a picture shows it at a time: arrays and caches are shared, settings its own."""
+    shown = copy.copy(level_at(level, time_s))
+    shown.settings = view.changed(show.settings(shown.settings))
+    return shown
+
+
+def _overcast(shown: Level, time_s: float, camera: Camera, show: Show):
+    from .overcast import overcast
+
+    return overcast(shown, time_s, (camera.x, camera.y), "clouds" in show and "sky" in show)
 
 
 def _give_back(held: dict) -> None:

@@ -20,7 +20,7 @@ LAYERS = ((46000.0, 1.0, 0.0), (31000.0, 0.75, 11.0), (13000.0 * 17000.0, 0.5, -
 def bind_high(frame) -> dict[str, str]:
     """Bind them where the picture has high layers; the defines of a program that shows them."""
     clouds, kept = frame.level.settings.clouds, frame.renderer.kept
-    if not clouds.on or "clouds" not in frame.show or clouds.cirrus + clouds.alto <= 0 or frame.renderer.sky.light.even:
+    if not clouds.on or "clouds" not in frame.show or clouds.cirrus + clouds.alto <= 0 or frame.sky.light.even:
         return {}
     bind_patterns(frame, kept)
     return {"HIGH_CLOUDS": ""}

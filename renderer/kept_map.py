@@ -19,6 +19,7 @@ class KeptMap:
         self.texture.repeat_x = self.texture.repeat_y = repeat
         self.framebuffer = ctx.framebuffer([self.texture])
         self.key: tuple = ()
+        self.seen = None  # what whoever reads it must know of how it was made
 
     def release(self) -> None:
         self.framebuffer.release()

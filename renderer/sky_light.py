@@ -61,18 +61,24 @@ class SkyLight:
 
 def sky_light(settings: Settings, time_s: float = 0.0, overcast: Overcast | None = None) -> SkyLight:
     """The light of a level at a time; kept for what it was last asked for. `overcast`: clouds in volume hang there."""
-    light, fog = settings.light, settings.fog
+    light = settings.light
     if light.body == "even":
         return _even()
-    depth = fog.density * fog.height_m if fog.on else 0.0
     elevation = round(sun_place(light, time_s)[1], 4)
-    cover, deep = overcast or (light.cloud_cover, light.cloud_depth)
-    sky = light.turbidity, light.body, cover, deep, min(depth, 50.0), overcast is not None
+    sky = sky_of(settings, overcast)
     if day_runs(light):
         from .day_light import day_light
 
         return day_light(elevation, sky, light.moonlit)
     return made(elevation, *sky)
+
+
+def sky_of(settings: Settings, overcast: Overcast | None) -> tuple:
+    """All that `made` takes but the elevation."""
+    light, fog = settings.light, settings.fog
+    depth = fog.density * fog.height_m if fog.on else 0.0
+    cover, deep = overcast or (light.cloud_cover, light.cloud_depth)
+    return light.turbidity, light.body, cover, deep, min(depth, 50.0), overcast is not None
 
 
 @lru_cache(maxsize=8)
@@ -159,6 +165,7 @@ def _aerial_under(deck: np.ndarray, turbidity: float) -> np.ndarray:
     return share[:, None, None, :] * deck * ((1 + 2 * sine) / 3)[None, :, None, None]
 
 
+@lru_cache(maxsize=1)
 def _solid() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Solid angle of each texel of a sky table `(96, 64)` (both halves), its elevation and azimuth."""
     v = (np.arange(ROWS) / (ROWS - 1)) ** 2 * np.pi / 2

@@ -19,9 +19,10 @@ SUN_KLUX = np.array([124.0, 128.0, 134.0])
 SUN_RADIUS = 0.00465  # rad
 ROWS, COLUMNS = 96, 64
 EYE_KM = 0.02
+TABLES = 48  # kept: those of the elevations of some seconds of a day that runs (day_light.py)
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=TABLES)
 def sky_table(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
     """Sky radiance, float32 `(96, 64, 3)` kcd/m²; rows from horizon to zenith by the square root of the elevation,
     columns from the sun's azimuth to the opposite one."""
@@ -54,7 +55,7 @@ AERIAL = (16, 16, 32)  # distances, elevations, azimuths
 AERIAL_FIRST_KM, AERIAL_RATIO = 0.1, 2.0**0.75  # the last distance but one is 145 km
 
 
-@lru_cache(maxsize=8)
+@lru_cache(maxsize=TABLES)
 def aerial_table(sun_elevation_deg: float, turbidity: float) -> np.ndarray:
     """Light that the air adds up to a distance, float32 `(16, 16, 32, 3)` kcd/m² by distance, elevation and azimuth.
 

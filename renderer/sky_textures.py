@@ -17,9 +17,11 @@ class SkyTextures:
         self.ctx = ctx
         self.textures: dict[str, moderngl.Texture] = {}
         self.light: SkyLight | None = None
+        self.overcast: Overcast | None = None
 
     def update(self, level: Level, time_s: float, overcast: Overcast | None = None) -> None:
         """Follow the level's light settings, the hour of a day that runs and what hangs over it."""
+        self.overcast = overcast
         light = sky_light(level.settings, time_s, overcast)
         if light is self.light:
             return

@@ -40,7 +40,7 @@ def frame_uniforms(frame) -> dict:
     forward = -matrices.view[2]
     return {
         **settings_uniforms(level.settings),
-        **look_uniforms(level.settings, frame.time_s, frame.renderer.sky.light),
+        **look_uniforms(level.settings, frame.time_s, frame.sky.light),
         **wave_uniforms(level, frame.time_s),
         **frame.show.uniforms(),
         "u_camera": tuple(matrices.position),

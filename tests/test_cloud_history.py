@@ -5,7 +5,7 @@ import pytest
 from coasts import make_beach
 from shorewright.level import Rect
 from shorewright.level.objects import Camera
-from shorewright.renderer.passes import clouds, weather
+from shorewright.renderer.passes import cloud_history, clouds, weather
 from shorewright.renderer.views import find_view
 
 SIZE = (480, 270)
@@ -156,3 +156,26 @@ def test_sides_that_do_not_divide_by_eight(renderer, sky):
     live = image(renderer)[0]
     step(renderer, sky, camera(), live=False, size=(131, 75))
     np.testing.assert_array_equal(live, image(renderer)[0])
+
+
+@pytest.mark.parametrize(("start_s", "least"), [(11.0, 2.5), (17.5, 2.5)])
+def test_a_day_that_runs_fast_leaves_no_pattern(renderer, sky, monkeypatch, start_s, least):
+    """Z16, Z25: a day in two minutes, at sunset and through dusk (where the unit of light changes): the sixteen parts
+    have different light, and their error by the place in the block is a fraction of what it is left alone."""
+    for path, value in {"light.sun_from": "date", "light.hour": 18.0, "light.day_rate": 720.0}.items():
+        sky.set(path, value)
+
+    def pattern():
+        renderer.kept.pop("clouds", None)
+        for number in range(20):
+            step(renderer, sky, camera(), start_s + number / 20)
+        live, _ = image(renderer)
+        step(renderer, sky, camera(), start_s + 19 / 20, live=False)
+        full, _ = image(renderer)
+        off = (live[:132, :240, :3].astype(np.float64) - full[:132, :240, :3]) / full[..., :3].mean()
+        return off.mean(-1).reshape(33, 4, 60, 4).mean(axis=(0, 2)).std()
+
+    followed = pattern()
+    monkeypatch.setattr(cloud_history, "on_clouds", lambda light: np.full(3, light.unit))
+    assert followed < pattern() / least
+    assert followed < 0.05

@@ -149,3 +149,36 @@ def test_status_bar_tells_the_hour():
         session.level.set_settings(running(hour=22.5))
         session.clock.time_s = 2 * HOUR_S
         assert day_text(editor).strip() == "22 June, 00:30"
+
+
+def test_moonlight_is_blue_to_the_eye_and_as_bright():
+    """Z25: a low moon shines redder than the sky, as a low sun does; added to a night it turns towards blue, and what
+    falls on the ground stays as much."""
+    from shorewright.renderer.day_light import by_rods
+
+    moon = made(10.0, 2.6, "moon", 0.0, 12.0, 0.03)
+    seen = by_rods(moon)
+    assert moon.disc[0] > 1.5 * moon.disc[2]
+    assert seen.disc[2] > seen.disc[0]
+    assert amount(seen) == pytest.approx(amount(moon))
+    night = sky_light(running(hour=0.0))
+    assert night.disc[2] > night.disc[0]
+    noon = sky_light(running(moonlit=False), 0.0)
+    assert sky_light(running(), 0.0).disc.tobytes() == noon.disc.tobytes()
+
+
+def test_a_day_that_begins_at_night_is_exposed_for_its_noon(renderer):
+    """Z25: as one that comes from there; from hour to hour of the start it changes by and by; no black picture."""
+    night, noon = running(hour=1.0), running(hour=12.0, day=20)
+    assert exposure_ev(night, 0.0) == pytest.approx(exposure_ev(noon, 13 * HOUR_S), abs=0.1)
+    assert exposure_ev(night, 11 * HOUR_S) == pytest.approx(night.light.exposure_ev, abs=0.1)
+    by_start = running(hour=1.0, adapt_from="start")
+    assert exposure_ev(by_start, 0.0) == by_start.light.exposure_ev
+    starts = [exposure_ev(running(hour=hour), 0.0) for hour in np.arange(19.0, 22.5, 0.02)]
+    assert np.abs(np.diff(starts)).max() < 0.5
+    level, means = make_beach(), []
+    for settings in (night, by_start):
+        level.set_settings(settings)
+        renderer.draw(level, cameras(level)[1], (96, 54), quality="low")
+        means.append(renderer.read().mean())
+    assert means[1] < 3 < 12 < means[0]

@@ -15,6 +15,7 @@ import numpy as np
 from ...level.sky_rect import sky_rect
 from ...level.weather import TILE_M, drift_m
 from ..cloud_image import BLOCK, ORDER, CloudHistory, Seen
+from ..cloud_light import on_clouds
 from ..frame import Frame
 from ..uniforms import set_uniforms
 
@@ -30,10 +31,9 @@ def seen_now(frame: Frame) -> Seen:
     """What the image of this frame depends on."""
     level, m = frame.level, frame.matrices
     settings = tuple(getattr(level.settings, name) for name in SECTIONS)
-    light = frame.renderer.sky.light  # through dusk its unit goes by powers of two, and the moon takes over
-    others = level.objects_revision, level.sea_level_m, frame.tier.name, light.unit
-    key = (level.layers["weather"], *settings, *others)
-    return Seen(m.position.copy(), (-m.view[2], m.ray_x, m.ray_y), frame.time_s, drift_m(level, frame.time_s), key)
+    others = level.objects_revision, level.sea_level_m, frame.tier.name
+    key, rays = (level.layers["weather"], *settings, *others), (-m.view[2], m.ray_x, m.ray_y)
+    return Seen(m.position.copy(), rays, frame.time_s, drift_m(level, frame.time_s), on_clouds(frame.sky.light), key)
 
 
 def advance(frame: Frame, history: CloudHistory, march) -> None:
@@ -110,13 +110,14 @@ def _resolve(frame: Frame, history: CloudHistory, old, now: Seen, mode: int) -> 
 
 def _ways_back(history: CloudHistory, now: Seen) -> dict:
     """From places relative to this camera to clip space of each part's, and (the last) of the last image's."""
-    table = np.zeros((4, len(ORDER) + 1, 4), np.float32)
+    table = np.zeros((5, len(ORDER) + 1, 4), np.float32)
     for number, seen in enumerate((*history.slots, history.seen)):
         if seen is not None:
             moved, rows = way_back(now, seen)
             table[0, number] = *moved, 1.0
-            table[1:, number, :3] = rows
-    return dict(zip(("u_moved", "u_back_x", "u_back_y", "u_back_z"), table, strict=True))
+            table[1:4, number, :3] = rows
+            table[4, number] = *(now.light / seen.light), 1.0
+    return dict(zip(("u_moved", "u_back_x", "u_back_y", "u_back_z", "u_gone_on"), table, strict=True))
 
 
 def way_back(now: Seen, last: Seen) -> tuple[np.ndarray, np.ndarray]:

@@ -9,12 +9,14 @@ import numpy as np
 from ...level.cloud_profile import profile_table
 from ...level.weather import drift_m, middle_m
 from ..cloud_image import ORDER, CloudHistory, CloudImage
+from ..cloud_light import light_uniforms
 from ..frame import Frame
 from ..uniforms import set_uniforms
 from .cloud_history import advance, seen_now
 
 REACH_M = 60_000.0
-UNDER_CLOUD = 0.6  # of the light that the ground gives back: part of it lies in their shadow
+AROUND_S, AROUND_M = 2.0, 200.0  # clouds all round are those of whole multiples of this time, of places so far apart
+AROUND_EYE_M = 2.0
 
 
 def shown(frame: Frame) -> bool:
@@ -95,7 +97,7 @@ def cloud_uniforms(frame: Frame) -> dict:
     camera = frame.matrices.position
     return {
         **air_uniforms(level, frame.time_s),
-        **light_uniforms(frame),
+        **light_uniforms(frame.sky.light),
         "u_planet_m": clouds.planet_km * 1000.0,
         "u_eye_m": float(camera[2] - level.sea_level_m),
         "u_cloud_camera": tuple(float(v) for v in camera[:2]),
@@ -120,19 +122,6 @@ def air_uniforms(level, time_s: float) -> dict:
             0.7 * risen / clouds.curl_m % 1.0,
             -0.25 * risen / clouds.scale_m % 1.0,
         ),
-    }
-
-
-def light_uniforms(frame: Frame) -> dict:
-    """The sun on the clouds, and the light from above and from below, as radiance."""
-    sky = frame.renderer.sky.light
-    c = sky.harmonics
-    up = c[0] * 0.282095 + c[6] * 0.630784
-    below = (up - c[2] * 0.488603) * (1.0 if sky.even else UNDER_CLOUD)
-    return {
-        "u_cloud_sun": tuple(float(v) for v in sky.disc),
-        "u_cloud_above": tuple(float(v) for v in sky.above),
-        "u_cloud_below": tuple(float(v) for v in np.maximum(below, 0.0) / np.pi),
     }
 
 

@@ -6,6 +6,7 @@ from ...level.shots import shots_at
 from ...level.weather import SIDE, STAGES, shot_uniforms, weather_noise, weather_uniforms
 from ..frame import Frame
 from ..kept_map import KeptMap, at_whole, kept_map
+from ..slow_map import Making, Slow, in_strips, keep_up
 from ..uniforms import set_uniforms
 
 EVERY_S = 0.5  # the map is that of whole multiples of this time
@@ -16,9 +17,8 @@ def draw(frame: Frame) -> None:
     """For a while and a place: in that time the air goes a small part of a texel (137 m)."""
     if not frame.level.settings.clouds.on:
         return
-    whole = at_whole(frame, EVERY_S, EVERY_M)
-    bind_map(whole)
-    frame.textures["u_weather"] = whole.textures["u_weather"]
+    keep_up(frame, SLOW)
+    frame.textures["u_weather"] = frame.renderer.kept[NAME].texture
 
 
 def bind_map(frame: Frame, stage: str = "final") -> None:
@@ -35,6 +35,15 @@ def weather_kept(frame: Frame, name: str) -> KeptMap:
 
 def make_map(frame: Frame, made: KeptMap, stage: str) -> None:
     """Bring a map up to date as it is after one of STAGES."""
+    making = weather_making(frame, made, stage)
+    if made.key != making.key:
+        frame.renderer.ctx.disable(frame.renderer.ctx.BLEND)
+        making.steps[0].draw()
+        made.key = making.key
+
+
+def weather_making(frame: Frame, made: KeptMap, stage: str = "final", strips: int = 1) -> Making:
+    """What makes a map as it is after one of STAGES at a frame's time."""
     level, uploader = frame.level, frame.renderer.uploader
     values = weather_uniforms(level, frame.time_s, frame.camera.id)
     shader = frame.shader("weather.glsl", **bind_weather(frame, values))
@@ -49,14 +58,22 @@ def make_map(frame: Frame, made: KeptMap, stage: str) -> None:
         uploader.seen["u_weather_shot_skies"],
         shader.generation,
     )
-    if made.key == key:
-        return
-    made.framebuffer.use()
-    frame.renderer.ctx.disable(frame.renderer.ctx.BLEND)
-    set_uniforms(shader.program, {**values, "u_stage": STAGES.index(stage), "u_map_side": float(SIDE)})
-    shader.fullscreen()
-    made.key = key
-    frame.stats["weather_maps"] = frame.stats.get("weather_maps", 0) + 1
+
+    def draw() -> None:
+        shader = frame.shader("weather.glsl", **bind_weather(frame, values))
+        set_uniforms(shader.program, {**values, "u_stage": STAGES.index(stage), "u_map_side": float(SIDE)})
+        shader.fullscreen()
+
+    return Making(made, key, in_strips(made, draw, strips), "weather_texels")
+
+
+def _make(frame: Frame, ending: str, strips: int) -> list[Making]:
+    whole = at_whole(frame, EVERY_S, EVERY_M)
+    return [weather_making(whole, weather_kept(whole, NAME + ending), strips=strips)]
+
+
+NAME = "weather"
+SLOW = Slow((NAME,), EVERY_S, _make)
 
 
 def bind_weather(frame: Frame, values: dict) -> dict[str, str]:

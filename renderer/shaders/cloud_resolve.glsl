@@ -14,6 +14,7 @@ uniform ivec2 u_part;                      // sides of a part
 uniform int u_slot;                        // which part was marched in this frame
 uniform vec4 u_moved[17];                  // from the camera of a part (the last: of the last image) to this one, known
 uniform vec4 u_back_x[17], u_back_y[17], u_back_z[17];  // rows that turn into it
+uniform vec4 u_gone_on[17];                // light now over that of then, where a day runs
 layout(location = 0) out vec4 out_light;
 layout(location = 1) out float out_depth;
 
@@ -55,7 +56,7 @@ vec4 marched_near(vec3 there, out float depth, out float total) {
         if (any(lessThan(texel, ivec2(0))) || any(greaterThanEqual(texel, u_part))) continue;
         vec2 off = vec2(texel * BLOCK + ORDER[slot]) - at;
         float weight = exp(-SHARP * dot(off, off));
-        vec4 value = texelFetch(u_parts, corner(slot) + texel, 0) * weight;
+        vec4 value = texelFetch(u_parts, corner(slot) + texel, 0) * u_gone_on[slot] * weight;
         sum += value;
         sum_x += value * off.x;
         sum_y += value * off.y;
@@ -107,7 +108,7 @@ vec4 moved_light(ivec2 pixel, ivec2 block, vec4 fresh, inout float depth) {
     }
     vec2 at = was_at(there, LAST);
     if (all(greaterThan(at, vec2(-0.5))) && all(lessThan(at, u_cloud_size - 0.5))) {
-        light = remembered(at);
+        light = remembered(at) * u_gone_on[LAST];
         depth = textureLod(u_last_depth, (at + 0.5) / u_cloud_size, 0.0).r;
     }
     float marched_depth, total;

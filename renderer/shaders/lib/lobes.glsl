@@ -27,6 +27,7 @@ vec3 oct_decode(vec2 uv) {
 
 #ifndef MAKE_LOBES
 uniform sampler2D u_lobes;
+uniform vec3 u_lobes_gone_on;  // the sky's light now over that which they were made in, where a day runs
 
 vec3 lobe_at(vec2 oct, int level) {
     float inner = LOBE_SIZE[level] - 2.0;
@@ -39,6 +40,7 @@ vec3 sky_lobe(vec3 dir, float roughness) {
     int level = 0;
     while (level < LOBES - 2 && roughness > LOBE_ROUGHNESS[level + 1]) ++level;
     float low = LOBE_ROUGHNESS[level], high = LOBE_ROUGHNESS[level + 1];
-    return mix(lobe_at(oct, level), lobe_at(oct, level + 1), clamp((roughness - low) / (high - low), 0.0, 1.0));
+    vec3 lobe = mix(lobe_at(oct, level), lobe_at(oct, level + 1), clamp((roughness - low) / (high - low), 0.0, 1.0));
+    return lobe * u_lobes_gone_on;
 }
 #endif
