@@ -117,6 +117,7 @@ class Frame:
     targets: object
     textures: dict
     index: int = 0  # which of the samples
+    travels: bool = False  # waves come by the time that they travel (T06)
     live: bool = False  # one of many pictures: what is dear may be made a part at a time
     uniforms: dict = field(default_factory=dict)
     defines: dict = field(default_factory=dict)  # of programs that read the sun's visibility
@@ -139,6 +140,8 @@ class Frame:
 
         if name in WITH_WAVES and overrides(self.level):
             defines["PATCHED"] = ""
+        if name in WITH_WAVES and self.travels:
+            defines["TRAVEL_TIME"] = ""
         if name in IN_THE_SUN:
             defines |= self.defines
         defines |= {off: "" for path, off in OFF.get(name, {}).items() if not get(self.level.settings, path)}
@@ -214,6 +217,7 @@ class Renderer:
         overlays: Overlays | None, samples: int = 1, index: int = 0, scale: float = 1.0,
     ) -> Frame:  # fmt: skip
         """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
+        from ..level.arrival import arrival
         from .overcast import overcast
         from .uniforms import frame_uniforms
 
@@ -222,6 +226,9 @@ class Renderer:
         shown.settings = view.changed(show.settings(shown.settings))
         self.uploader.sync(level)
         self.uploader.table(shown)
+        made = arrival(shown, time_s)
+        if made is not None:
+            self.uploader.arrival(made)
         self.generated.update(row)
         over = overcast(shown, time_s, (camera.x, camera.y), "clouds" in show and "sky" in show)
         self.sky.update(shown, time_s, over)
@@ -234,6 +241,7 @@ class Renderer:
             self, shown, camera, drawn, size, time_s, view, show, row, overlays or Overlays(), samples, matrices,
             targets, textures, index=index,
         )  # fmt: skip
+        frame.travels = made is not None
         frame.uniforms = frame_uniforms(frame)
         return frame
 
