@@ -10,6 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .arrival_map import Passing
 from .dual import Dual
 from .settings import Sea
 
@@ -102,6 +103,34 @@ def phase_noise(sea: Sea, fronts: Fronts, i: int, x: np.ndarray, y: np.ndarray) 
     gain = sea.phase_noise * PHASE_GAIN[len(fronts.length_m)][i]
     steep = gain * 0.25 * (one[1] + 0.618034 * two[1]) / sea.phase_noise_m
     return Dual(gain * (0.5 * (one[0] + two[0]) - 0.5), steep * crest_x, steep * crest_y)
+
+
+def travel(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list[Dual], passing: Passing) -> Deformed:
+    """`deform` for the low group on its way over the bed (T06): phases are times of arrival, in cycles, and crests go the
+    way in which those grow. `passing` is that of the point."""
+    dx, dy, dz = Dual(0.0), Dual(0.0), Dual(0.0)
+    for i, (cycles, gain) in enumerate(zip(passing.swells, passing.gains, strict=True)):
+        steep = np.hypot(cycles.dx, cycles.dy)
+        known = steep > 1e-6
+        east = np.where(known, cycles.dx / np.maximum(steep, 1e-6), fronts.east[i])
+        north = np.where(known, cycles.dy / np.maximum(steep, 1e-6), fronts.north[i])
+        # shorter waves would fold over
+        lateral_m = fronts.lateral_m[i] * np.minimum(1, 1 / fronts.length_m[i] / np.maximum(steep, 1e-6))
+        theta = 2 * np.pi * (cycles.v + noises[i].v + 0.25 - np.mod(fronts.omega[i] * t / (2 * np.pi), 1.0))
+        sin, cos = np.sin(theta), np.cos(theta)
+        slope_x, slope_y = (2 * np.pi * part for part in _through(cycles, point))
+        slope_x, slope_y = slope_x + 2 * np.pi * noises[i].dx, slope_y + 2 * np.pi * noises[i].dy
+        gain = Dual(gain.v, *_through(gain, point))
+        lateral = Dual(lateral_m * cos, -lateral_m * sin * slope_x, -lateral_m * sin * slope_y) * gain
+        high = fronts.amplitude_m[i]
+        dz = dz + Dual(high * sin, high * cos * slope_x, high * cos * slope_y) * gain
+        dx, dy = dx + lateral * east, dy + lateral * north
+    return Deformed(point.x + dx * weight, point.y + dy * weight, point.z + dz * weight)
+
+
+def _through(value: Dual, point: Deformed) -> tuple:
+    """How something known at deformed places changes with the undeformed x and y."""
+    return value.dx * point.x.dx + value.dy * point.y.dx, value.dx * point.x.dy + value.dy * point.y.dy
 
 
 def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list[Dual]) -> Deformed:

@@ -7,6 +7,7 @@ from typing import Literal
 from .params import Section, param
 from .sea_settings import Caustics, Flow, Foam, Force, Glare, Quiet, Things
 from .sky_settings import Clouds, CloudTerms, Rain, Storm, Weather
+from .timing_settings import Timing
 
 
 class WaterLevel(Section):
@@ -238,6 +239,7 @@ class Settings(Section):
     level: WaterLevel = WaterLevel()
     sea: Sea = Sea()
     shore: Shore = Shore()
+    timing: Timing = Timing()
     water: Water = Water()
     caustics: Caustics = Caustics()
     flow: Flow = Flow()

@@ -11,12 +11,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .arrival_map import Passing
 from .dual import Dual, positive, step
 from .noise import LATTICE, value_noise
 from .settings import Shore
 
 BREAK_S = 0.78  # where along the range a front stands highest; from there it falls
 POOL_M = 0.2  # how far below the rim before it ground counts as a pool
+LANDING_S = 0.85  # from here to the water line times of arrival become those of the shoreline
 SWASH_S = 0.55  # from here to the water line the level follows the swash
 
 
@@ -35,6 +37,35 @@ class ShoreMasks:
     lift: Dual
     edge_s: np.ndarray
     arrived: np.ndarray
+
+
+@dataclass(frozen=True)
+class Travel:
+    """When the lead swell comes to some points and to the shoreline near them, duals in cycles; its height there
+    against where it stands highest, and the share of all this against what follows from the depth (T06)."""
+
+    arrival: Dual
+    shore: Dual
+    height: Dual
+    share: float
+
+    @classmethod
+    def of(cls, passing: Passing, bend: Dual, share: float) -> Travel:
+        """`bend`: how much later noise makes the lead's crests, in cycles (H07)."""
+        return cls(passing.swells[0] + bend, passing.shore + bend, passing.lead_height, share)
+
+
+def s_cycles(shore: Shore) -> float:
+    """Cycles that a front of the depth's clock takes for the whole range, s = 0 … 1."""
+    return shore.count / (1 + shore.runup)
+
+
+def lead_arrival(shore: Shore, s_body: Dual, early: Dual, travel: Travel) -> Dual:
+    """When fronts come, in cycles. On the sand they go on as those of the depth's clock do."""
+    by_depth = s_body * s_cycles(shore)
+    on_land = travel.shore + (s_body - 1.0) * s_cycles(shore)
+    lead = travel.arrival + (on_land - travel.arrival) * step(LANDING_S, 1.0, s_body)
+    return by_depth + (lead - by_depth) * travel.share - early
 
 
 def clock_uniforms(shore: Shore, t: float) -> dict[str, float | int]:
@@ -60,10 +91,12 @@ def before_waves(shore: Shore, bed: dict[str, Dual]) -> np.ndarray:
     return (not shore.on) | (np.minimum(bed["clock"].v, bed["smoothed"].v) > (1 + tail) * shore.range_m)
 
 
-def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray) -> ShoreMasks:
+def shore_masks(
+    shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray, travel: Travel | None = None
+) -> ShoreMasks:
     """Masks and lift at world points over the bed there (`ShoreMap.at`), with the `sway` there (`BeachMap.at`).
 
-    `values` is the level's noise lattice.
+    `values` is the level's noise lattice; `travel` says when waves come where that doesn't follow from the depth alone.
 
     Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink into
     a hole round each of them.
@@ -73,34 +106,49 @@ def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, 
     s_body = 1.0 - bed["smoothed"] * (1 / shore.range_m)
     sea = bed["sea"] * bed["within"]
     early = shore_early(shore, x, y, sway, values)
+    if travel is not None:
+        early = early * step(0.0, 1.0, s_body)
     nearest = np.full(np.shape(s), 9.0)
     a, b, *masks = np.zeros((5, *np.shape(s)))
     lift = Dual(*np.zeros((3, *np.shape(s))))
-    for k in range(shore.count):
-        c = (early + k) * (1 / shore.count) + clock["u_shore_clock"]
-        cycle = np.floor(c.v)
-        f = (c - Dual(cycle)) * (1 + shore.runup)
-        wave = (clock["u_shore_cycle"] + cycle.astype(np.int64)) * shore.count - k
+    for u, u_body, f, wave in _fronts(shore, clock, s, s_body, early, travel):
         tall = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.variety
-        a_here, b_here, *here = _wave(shore, s - f.v, f.v)
+        a_here, b_here, *here = _wave(shore, u, f.v)
         masks = [np.maximum(old, new) for old, new in zip(masks, here, strict=True)]
-        closer = np.abs(s - f.v) < nearest
-        nearest = np.where(closer, np.abs(s - f.v), nearest)
+        closer = np.abs(u) < nearest
+        nearest = np.where(closer, np.abs(u), nearest)
         a, b = np.where(closer, a_here, a), np.where(closer, b_here, b)
-        lift = lift + _body(shore, s_body - f, f) * tall
-    run = _swash(shore, clock, early, values, x, y)
+        lift = lift + _body(shore, u_body, f) * tall
+    arrived = _arrived(shore, clock, early, travel)
+    run = _swash(shore, clock, arrived, values, x, y)
     edge, rise = 1.0 + shore.runup * run.v, run * (shore.range_m * shore.runup)
     drop = bed["depth"] - bed["clock"]  # how far the bed lies below the rim that its waves came over
     # Behind a rim the swash rises only while it tops the rim; on an open beach drop is 0 and this is 1.
     over = rise + bed["clock"] + (1.0 - step(0.0, POOL_M, drop)) * POOL_M
     level = rise * step(SWASH_S, 1.0, s_body) * step(0.0, POOL_M, over)
-    lift = (lift * _height_along(s_body) * shore.height_m + level) * sea
+    lift = (lift * _height_along(s_body, travel) * shore.height_m + level) * sea
     on, moving = float(shore.on), float(shore.on and shore.vertex)
     calm = 1.0 - 0.8 * _step(POOL_M, 5 * POOL_M, drop.v)
     line, back, fall = (mask * calm * sea.v * on for mask in masks)
     come = ~before_waves(shore, bed)
     edge_s = 1.0 + (edge - 1.0) * moving * come
-    return ShoreMasks(a * on, b * on, line, back, fall, lift * moving, edge_s, _arrived(shore, clock, early) * come)
+    return ShoreMasks(a * on, b * on, line, back, fall, lift * moving, edge_s, arrived.v * come)
+
+
+def _fronts(shore: Shore, clock: dict, s: np.ndarray, s_body: Dual, early: Dual, travel: Travel | None):
+    """(s after the front, the same of the water's body, the front's own s, number) of the waves about some points."""
+    if travel is None:
+        for k in range(shore.count):
+            c = (early + k) * (1 / shore.count) + clock["u_shore_clock"]
+            cycle = np.floor(c.v)
+            f = (c - Dual(cycle)) * (1 + shore.runup)
+            yield s - f.v, s_body - f, f, (clock["u_shore_cycle"] + cycle.astype(np.int64)) * shore.count - k
+        return
+    since = clock["u_shore_clock"] * shore.count - lead_arrival(shore, s_body, early, travel)
+    last = np.floor(since.v)
+    for k in range(shore.count + 1):
+        u = (Dual(last + 1.0 - k) - since) * (1 / s_cycles(shore))
+        yield u.v, u, s_body - u, clock["u_shore_cycle"] * shore.count + last.astype(np.int64) + 1 - k
 
 
 def _step(low: float, high: float, x: np.ndarray) -> np.ndarray:
@@ -128,9 +176,10 @@ def _body(shore: Shore, u: Dual, f: Dual) -> Dual:
     return shape * fade
 
 
-def _height_along(s: Dual) -> Dual:
+def _height_along(s: Dual, travel: Travel | None) -> Dual:
     """Shoaling and breaking as a shape over s: fronts rise on the way in and are spent at the water line."""
-    return (step(0.0, BREAK_S, s) * 0.7 + 0.3) * (1.0 - step(BREAK_S, 1.0, s))
+    shape = (step(0.0, BREAK_S, s) * 0.7 + 0.3) * (1.0 - step(BREAK_S, 1.0, s))
+    return shape if travel is None else shape + (travel.height - shape) * travel.share
 
 
 def _wave_noise(shore: Shore, values: np.ndarray, x, y, wave) -> Dual:
@@ -138,20 +187,23 @@ def _wave_noise(shore: Shore, values: np.ndarray, x, y, wave) -> Dual:
     return value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
 
 
-def _arrived(shore: Shore, clock: dict, early: Dual) -> np.ndarray:
+def _arrived(shore: Shore, clock: dict, early: Dual, travel: Travel | None) -> Dual:
     """Waves that have passed the still water line since the cycle began."""
-    return clock["u_shore_clock"] * shore.count + early.v - shore.count / (1 + shore.runup)
+    shoreline = s_cycles(shore)
+    if travel is not None:
+        shoreline = (travel.shore - shoreline) * travel.share + shoreline
+    return clock["u_shore_clock"] * shore.count + (early - shoreline)
 
 
-def _swash(shore: Shore, clock: dict, early: Dual, values: np.ndarray, x, y) -> Dual:
+def _swash(shore: Shore, clock: dict, arrived: Dual, values: np.ndarray, x, y) -> Dual:
     """How far the swash has run, 1 at the run-up limit: up with the front, back before the next one (D10).
 
     It starts with the speed of its front, and gravity stops it: no corner where neighbours turn at different times.
     The wave that is here now is the one whose front passed the water line last, and reaches as far as it is tall.
     """
-    arrived = _arrived(shore, clock, early)
-    q = Dual(arrived - np.floor(arrived), early.dx, early.dy)
-    wave = clock["u_shore_cycle"] * shore.count + np.floor(arrived).astype(np.int64)
+    number = np.floor(arrived.v)
+    q = arrived - Dual(number)
+    wave = clock["u_shore_cycle"] * shore.count + number.astype(np.int64)
     reach = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.runup_variety
     up = uprush(shore)
     u = q * (1 / up)

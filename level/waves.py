@@ -9,16 +9,18 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .arrival import arrival, arrival_uniforms, shore_at
+from .arrival_map import ArrivalMap
 from .beach_map import NO_BEACH_M, beach_map
 from .dual import Dual, step
 from .force import ForceField
-from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, phase_noise
+from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, phase_noise, travel
 from .level import Level
 from .noise import lattice
 from .patches import beach_contact, patch_shore, patch_uniforms
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
-from .shore_waves import ShoreMasks, before_waves, clock_uniforms, shore_masks, uprush
+from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, shore_masks, uprush
 from .weather_keys import level_at
 
 DEEP_M = 4.0  # there is no sand that the slice knows
@@ -51,12 +53,17 @@ def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
     return step(sea.deep_start_m, full, bed["smoothed"]) * bed["sea"] * float(sea.on)
 
 
-def _offshore(level: Level, shore: ShoreMap, fronts: list[Fronts], t: float, x, y) -> tuple[Deformed, Dual]:
+def _offshore(
+    level: Level, shore: ShoreMap, fronts: list[Fronts], made: ArrivalMap | None, t: float, x, y
+) -> tuple[Deformed, Dual]:
     weight = _weight(level, shore.at(x, y))
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
     for group in fronts:
         noises = [phase_noise(level.settings.sea, group, i, x, y) for i in range(len(group.length_m))]
-        point = deform(point, group, t, weight, noises)
+        if made is not None and group is fronts[-1]:
+            point = travel(point, group, t, weight, noises, made.at(point.x.v, point.y.v))
+        else:
+            point = deform(point, group, t, weight, noises)
     return point, weight
 
 
@@ -85,13 +92,17 @@ def surface_at(
     level = level_at(level, t)
     x, y = np.broadcast_arrays(np.asarray(before_x, np.float64), np.asarray(before_y, np.float64))
     shore, values = shore_map(level), lattice(level.settings.level.seed)
-    fronts = fronts_at(level, t)[1 if skip_chop else 0 :]
-    point, weight = _offshore(level, shore, fronts, t, x, y)
+    fronts, made = fronts_at(level, t)[1 if skip_chop else 0 :], arrival(level, t)
+    point, weight = _offshore(level, shore, fronts, made, t, x, y)
     after_x, after_y = point.x.v, point.y.v
     bed = shore.at(after_x, after_y)
     bed["within"] = bed["within"] * patch_shore(level, after_x, after_y)
     sand, sway = beach_map(level).at(after_x, after_y)
-    masks = shore_masks(level.settings.shore, t, bed, after_x, after_y, sway, values)
+    way = None
+    if made is not None:
+        bend = phase_noise(level.settings.sea, fronts[-1], 0, after_x, after_y)
+        way = Travel.of(made.at(after_x, after_y), bend, level.settings.timing.share)
+    masks = shore_masks(shore_at(level, t), t, bed, after_x, after_y, sway, values, way)
     lift = masks.lift
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
@@ -112,10 +123,10 @@ def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceFi
     level = level_at(level, t)
     x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
     shore = shore_map(level)
-    fronts = fronts_at(level, t)[1 if skip_chop else 0 :]
+    fronts, made = fronts_at(level, t)[1 if skip_chop else 0 :], arrival(level, t)
     before_x, before_y = x.copy(), y.copy()
     for _ in range(INVERSIONS):
-        point, _ = _offshore(level, shore, fronts, t, before_x, before_y)
+        point, _ = _offshore(level, shore, fronts, made, t, before_x, before_y)
         off_x, off_y = x - point.x.v, y - point.y.v
         before_x, before_y = before_x + off_x, before_y + off_y
         if max(np.abs(off_x).max(initial=0), np.abs(off_y).max(initial=0)) < 1e-6:
@@ -133,7 +144,7 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
     """The value of every uniform that the level's GLSL declares, samplers excepted, at time t."""
     level = level_at(level, t)
     settings = level.settings
-    sea, shore = settings.sea, settings.shore
+    sea, shore = settings.sea, shore_at(level, t)
     way, size, turn = [], [], []
     for fronts in fronts_at(level, t):
         for i, length in enumerate(fronts.length_m):
@@ -167,6 +178,7 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_bed_cell_m": shore_map(level).cell_m,
         **patch_uniforms(level),
         "u_beach_cell_m": beach_map(level).cell_m,
+        **arrival_uniforms(arrival(level, t), settings.timing.share),
         "u_shore_sway": shore.sway,
         "u_shore_slide": float(shore.slide),
     }

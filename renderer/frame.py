@@ -124,6 +124,7 @@ class Frame:
     source: Level  # as it is edited, whatever the time
     sky: SkyTextures  # the light of its moment
     index: int = 0  # which of the samples
+    travels: bool = False  # waves come by the time that they travel (T06)
     live: bool = False  # one of many pictures: what is dear may be made a part at a time
     uniforms: dict = field(default_factory=dict)
     defines: dict = field(default_factory=dict)  # of programs that read the sun's visibility
@@ -146,6 +147,8 @@ class Frame:
 
         if name in WITH_WAVES and overrides(self.level):
             defines["PATCHED"] = ""
+        if name in WITH_WAVES and self.travels:
+            defines["TRAVEL_TIME"] = ""
         if name in IN_THE_SUN:
             defines |= self.defines
         defines |= {off: "" for path, off in OFF.get(name, {}).items() if not get(self.level.settings, path)}
@@ -225,12 +228,16 @@ class Renderer:
         overlays: Overlays | None, samples: int = 1, index: int = 0, scale: float = 1.0,
     ) -> Frame:  # fmt: skip
         """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
+        from ..level.arrival import arrival
         from .uniforms import frame_uniforms
 
         show, row = show or Show(), tier(quality)
         shown = _dated(level, time_s, view, show)
         self.uploader.sync(level)
         self.uploader.table(shown)
+        made = arrival(shown, time_s)
+        if made is not None:
+            self.uploader.arrival(made)
         self.generated.update(row)
         self.sky.update(shown, time_s, _overcast(shown, time_s, camera, show))
         drawn = tuple(max(round(side * scale), 1) for side in size)
@@ -242,6 +249,7 @@ class Renderer:
             self, shown, camera, drawn, size, time_s, view, show, row, overlays or Overlays(), samples, matrices,
             targets, textures, level, self.sky, index=index,
         )  # fmt: skip
+        frame.travels = made is not None
         frame.uniforms = frame_uniforms(frame)
         return frame
 

@@ -7,6 +7,7 @@ from collections import Counter
 import numpy as np
 
 from ..level import BadInput, Level, Rect
+from ..level.arrival_map import ArrivalMap
 from ..level.beach_map import beach_map
 from ..level.flow import current
 from ..level.layers import LAYERS, WEATHER_GRID
@@ -93,6 +94,13 @@ class Uploader:
         for rect in beach.changed_since(-1 if known is not beach else revision):
             self._part("u_beach", beach.packed, rect, "f2")
         self.seen["beach"] = beach, beach.revision
+
+    def arrival(self, made: ArrivalMap):
+        """When swells arrive (T06), RGBA32F: times below, heights above."""
+        if self.seen.get("arrival") is not made:
+            self._whole("u_arrival", made.packed, "f4")
+            self.seen["arrival"] = made
+        return self.textures["u_arrival"]
 
     def layer(self, level: Level, name: str):
         """The texture of a painted layer, up to date; one texel while nothing was painted."""

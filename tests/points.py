@@ -1,6 +1,7 @@
 """The level's GLSL over points, read back: what tests hold against the CPU twin."""
 
 import numpy as np
+from shorewright.level.arrival import arrival
 from shorewright.level.beach_map import beach_map
 from shorewright.level.noise import lattice
 from shorewright.level.shore import shore_map
@@ -22,7 +23,8 @@ void main() {
 
 def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict):
     """Run a vertex shader over points `in_at` (n, 2), read back its varyings (floats by name), release `textures`."""
-    text = "#version 410 core\n" + resolve("points", {"points": source}).text
+    defines = "#define TRAVEL_TIME\n" if "u_arrival" in textures else ""
+    text = "#version 410 core\n" + defines + resolve("points", {"points": source}).text
     program = ctx.program(vertex_shader=text, varyings=list(varyings))
     for unit, (name, texture) in enumerate(textures.items()):
         texture.filter = (ctx.NEAREST, ctx.NEAREST)
@@ -51,4 +53,7 @@ def feedback(ctx, level, t, at):
         "u_variety": ctx.texture((64, 64), 1, lattice(level.settings.level.seed).tobytes(), dtype="f4"),
         "u_beach": ctx.texture(sand.shape[1::-1], 2, sand.tobytes(), dtype="f2", alignment=1),
     }
+    made = arrival(level, t)
+    if made is not None:
+        textures["u_arrival"] = ctx.texture(made.packed.shape[1::-1], 4, made.packed.tobytes(), dtype="f4")
     return transform(ctx, SEA, at, {"v_position": 4, "v_masks": 4, "v_sheet": 4}, textures, wave_uniforms(level, t))

@@ -1,5 +1,6 @@
 // Gerstner waves by frequency groups (H05, H06, H29). The twin is level/gerstner.py.
 #include "level/noise_lattice.glsl"
+#include "level/arrival.glsl"
 
 const int FRONTS = 8;           // the high group's five, then the low group's three
 const int HIGH_FRONTS = 5;
@@ -53,11 +54,38 @@ Deformed gerstner_group(Deformed point, int first, int end, vec3 weight, vec2 be
     return Deformed(point.x + d_mul(dx, weight), point.y + d_mul(dy, weight), point.z + d_mul(dz, weight));
 }
 
+#ifdef TRAVEL_TIME
+// The low group on its way over the bed: phases are times of arrival, crests go the way in which those grow (T06).
+Deformed swell_group(Deformed point, Passing passing, vec3 weight, vec2 before) {
+    vec3 dx = vec3(0.0), dy = vec3(0.0), dz = vec3(0.0);
+    for (int i = 0; i < FRONTS - HIGH_FRONTS; ++i) {
+        vec4 way = u_front_way[HIGH_FRONTS + i], size = u_front_size[HIGH_FRONTS + i];
+        size.xy *= swell_gain[i];
+        vec3 noise = phase_noise(HIGH_FRONTS + i, before), cycles = passing.swells[i], gain = passing.gains[i];
+        float steep = length(cycles.yz), theta = TURN * fract(cycles.x + noise.x + 0.25 - way.z - swell_turn[i]);
+        size.zw = steep > 1e-6 ? cycles.yz / steep : size.zw;
+        size.y *= min(1.0, way.w / max(TURN * steep, 1e-6));  // shorter waves would fold over
+        float s = sin(theta), c = cos(theta);
+        vec2 slope = TURN * (cycles.y * point.x.yz + cycles.z * point.y.yz + noise.yz);
+        gain.yz = gain.y * point.x.yz + gain.z * point.y.yz;
+        vec3 lateral = d_mul(size.y * vec3(c, -s * slope), gain);
+        dx += lateral * size.z;
+        dy += lateral * size.w;
+        dz += d_mul(size.x * vec3(s, c * slope), gain);
+    }
+    return Deformed(point.x + d_mul(dx, weight), point.y + d_mul(dy, weight), point.z + d_mul(dz, weight));
+}
+#endif
+
 Deformed gerstner(vec2 before, vec3 weight) {
     Deformed point = Deformed(vec3(before.x, 1.0, 0.0), vec3(before.y, 0.0, 1.0), vec3(0.0));
 #ifdef NO_GERSTNER
     return point;
 #endif
     point = gerstner_group(point, 0, HIGH_FRONTS, weight * chop_share, before);
+#ifdef TRAVEL_TIME
+    return swell_group(point, passing_at(vec2(point.x.x, point.y.x)), weight, before);
+#else
     return gerstner_group(point, HIGH_FRONTS, FRONTS, weight, before);
+#endif
 }

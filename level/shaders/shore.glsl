@@ -1,6 +1,7 @@
 // The shore wave clock (D03, D04, D10). The twin is level/shore_waves.py: same names, same order.
 #include "level/dual.glsl"
 #include "level/noise_lattice.glsl"
+#include "level/gerstner.glsl"
 #include "level/bed.glsl"
 #include "level/beach.glsl"
 
@@ -14,6 +15,7 @@ uniform float u_shore_on, u_shore_vertex;
 
 const float BREAK_S = 0.78;
 const float SWASH_S = 0.55;
+const float LANDING_S = 0.85;  // from here to the water line times of arrival become those of the shoreline
 const float POOL_M = 0.2;  // how far below the rim before it ground counts as a pool
 
 struct ShoreMasks {
@@ -65,9 +67,31 @@ vec3 shore_early(vec2 xy, vec3 sway) {
     return noise + sway * u_shore_sway;
 }
 
-// Waves that have passed the still water line since the cycle began; the fraction is the phase of the last one.
-float swash_arrived(vec3 early) {
-    return u_shore_clock * float(u_shore_count) + early.x - float(u_shore_count) / (1.0 + u_shore_runup);
+// Cycles that a front of the depth's clock takes for the whole range, s = 0 … 1.
+float s_cycles() { return float(u_shore_count) / (1.0 + u_shore_runup); }
+
+#ifdef TRAVEL_TIME
+// When fronts come, a dual in cycles. On the sand they go on as those of the depth's clock do. `bend`: H07.
+vec3 lead_arrival(Passing passing, vec3 bend, vec3 s_body, vec3 early) {
+    vec3 by_depth = s_body * s_cycles(), on_land = passing.shore + (s_body - d_const(1.0)) * s_cycles();
+    vec3 lead = passing.swells[0] + d_mul(on_land - passing.swells[0], d_step(LANDING_S, 1.0, s_body));
+    return by_depth + (lead + bend - by_depth) * u_arrival_share - early;
+}
+
+// Waves that have passed the still water line since the cycle began, a dual; the fraction is the phase of the last one.
+vec3 swash_arrived(Passing passing, vec3 bend, vec3 early) {
+    vec3 shoreline = d_const(s_cycles());
+    shoreline += (passing.shore + bend - shoreline) * u_arrival_share;
+    return d_const(u_shore_clock * float(u_shore_count)) + early - shoreline;
+}
+#endif
+
+vec3 swash_arrived(vec2 xy, vec3 early) {
+#ifdef TRAVEL_TIME
+    return swash_arrived(passing_at(xy), phase_noise(HIGH_FRONTS, xy), early);
+#else
+    return d_const(u_shore_clock * float(u_shore_count)) + early - d_const(s_cycles());
+#endif
 }
 
 // How far along its way up and back a wave is at phase q: 0 at the still water line, 1 where it turns. It goes up with the
@@ -82,10 +106,9 @@ vec3 swash_run(vec3 q) {
 vec3 swash_reach(vec2 xy, int wave) { return d_const(1.0) - wave_noise(xy, wave) * u_shore_runup_variety; }
 
 // How far the swash has run, 0 at the still water line, 1 at the run-up limit.
-vec3 shore_swash(vec2 xy, vec3 early) {
-    float arrived = swash_arrived(early);
-    int wave = u_shore_cycle * u_shore_count + int(floor(arrived));
-    return d_mul(swash_run(vec3(fract(arrived), early.yz)), swash_reach(xy, wave));
+vec3 shore_swash(vec2 xy, vec3 arrived) {
+    int wave = u_shore_cycle * u_shore_count + int(floor(arrived.x));
+    return d_mul(swash_run(vec3(fract(arrived.x), arrived.yz)), swash_reach(xy, wave));
 }
 
 // True where no wave has come yet: it is deeper than the tail of the outermost one, and every mask and the lift are 0.
@@ -105,28 +128,47 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0, 0.0);
     if (before_waves(bed)) return m;
     vec3 early = shore_early(xy, sway);
-    m.arrived = swash_arrived(early);
+    int waves = u_shore_count;
+#ifdef TRAVEL_TIME
+    Passing passing = passing_at(xy);
+    vec3 bend = phase_noise(HIGH_FRONTS, xy);
+    early = d_mul(early, d_step(0.0, 1.0, s_body));
+    vec3 arrived = swash_arrived(passing, bend, early);
+    vec3 since = d_const(u_shore_clock * float(u_shore_count)) - lead_arrival(passing, bend, s_body, early);
+    float last = floor(since.x);
+    ++waves;
+#else
+    vec3 arrived = swash_arrived(xy, early);
+#endif
+    m.arrived = arrived.x;
     vec3 sea = d_mul(bed.sea, bed.within);
     vec3 masks = vec3(0.0);
     float nearest = 9.0;
-    for (int k = 0; k < u_shore_count; ++k) {
+    for (int k = 0; k < waves; ++k) {
+#ifdef TRAVEL_TIME
+        vec3 u_body = (d_const(last + 1.0 - float(k)) - since) / s_cycles(), f = s_body - u_body;
+        float u = u_body.x;
+        int wave = u_shore_cycle * u_shore_count + int(last) + 1 - k;
+#else
         vec3 c = (early + d_const(float(k))) / float(u_shore_count) + d_const(u_shore_clock);
         float cycle = floor(c.x);
-        vec3 f = (c - d_const(cycle)) * (1.0 + u_shore_runup);
+        vec3 f = (c - d_const(cycle)) * (1.0 + u_shore_runup), u_body = s_body - f;
+        float u = s - f.x;
         int wave = (u_shore_cycle + int(cycle)) * u_shore_count - k;
+#endif
         vec3 tall = d_const(1.0) - wave_noise(xy, wave) * u_shore_variety;
         float a, b;
         vec3 here;
-        shore_wave(s - f.x, shore_fade(f.x), a, b, here);
+        shore_wave(u, shore_fade(f.x), a, b, here);
         masks = max(masks, here);
-        float away = abs(s - f.x);
+        float away = abs(u);
         if (away < nearest) {
             nearest = away;
             m.a = a;
             m.b = b;
             m.front = f.x;
         }
-        m.lift += d_mul(shore_body(s_body - f, f), tall);
+        m.lift += d_mul(shore_body(u_body, f), tall);
     }
     vec3 drop = bed.depth - bed.clock;  // how far the bed lies below the rim that its waves came over
     masks *= (1.0 - 0.8 * smoothstep(POOL_M, 5.0 * POOL_M, drop.x)) * sea.x * u_shore_on;
@@ -135,8 +177,12 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     m.fall = masks.z;
     m.a *= u_shore_on;
     m.b *= u_shore_on;
-    m.lift = d_mul(m.lift, shore_height_along(s_body)) * u_shore_height_m;
-    vec3 run = shore_swash(xy, early);
+    vec3 along = shore_height_along(s_body);
+#ifdef TRAVEL_TIME
+    along += (passing.lead_height - along) * u_arrival_share;
+#endif
+    m.lift = d_mul(m.lift, along) * u_shore_height_m;
+    vec3 run = shore_swash(xy, arrived);
     vec3 rise = run * (u_shore_range_m * u_shore_runup);
     // Behind a rim the swash rises only while it tops the rim; on an open beach drop is 0 and this is 1.
     vec3 over = rise + bed.clock + (d_const(1.0) - d_step(0.0, POOL_M, drop)) * POOL_M;

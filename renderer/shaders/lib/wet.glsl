@@ -67,7 +67,7 @@ Wet shore_wet(vec2 xy, float height, float pixel_m) {
     vec4 noise = noise_at(xy, 11.0, pixel_m);
     vec2 grain = vec2(0.5 * noise.g + 0.5 * noise.b, noise.r);
     float steep = max(length(bed.smoothed.yz), 0.015);
-    float arrived = swash_arrived(shore_early(xy, beach_at(xy).sway));
+    float arrived = swash_arrived(xy, shore_early(xy, beach_at(xy).sway)).x;
     int wave = u_shore_cycle * u_shore_count + int(floor(arrived));
     float h = max(height - CREEP_M * grain.x, 0.0);
     // what older waves left on the whole, by how many of them come so high

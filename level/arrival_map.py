@@ -1,0 +1,106 @@
+"""The moments at which swells arrive, as a map that shader and twin read alike (T06).
+
+Crest n of swell i passes a place at `seconds[i] + n · period_s[i]`. The twin of `at` is shaders/arrival.glsl. A quadratic
+B-spline over the texels: the way of a wave is the map's gradient, and that must not jump from texel to texel.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from .dual import Dual, step
+
+SWELLS = 3  # fronts of the low group
+BEYOND_M = 160.0  # over this way past the level's border times become those of the plane wave that comes in
+APART = (0.2, 0.6)  # cycles between the two from which on the wave lies down in between
+TIMES, HEIGHTS = range(2)
+BLOCKS = 2
+
+
+@dataclass(frozen=True)
+class Passing:
+    """At some points, duals: `swells` in cycles of their periods, `lead_height` against where it stands highest.
+
+    `gains` are the swells' heights against those offshore; `shore` is when the lead meets the shoreline near by, cycles.
+    """
+
+    swells: tuple[Dual, ...]
+    shore: Dual
+    gains: tuple[Dual, ...]
+    lead_height: Dual
+
+
+@dataclass(frozen=True)
+class ArrivalMap:
+    """`packed` float32 `(2 rows, cols, 4)`, row 0 south: times in seconds of three swells and of the lead at the
+    shoreline; above them the height of the lead's shore wave and the gains of the swells.
+
+    `plane` `(3, 2)`: s/m, the way of the plane wave that comes in, over its speed.
+    """
+
+    packed: np.ndarray
+    cell_m: float
+    period_s: tuple[float, float, float]
+    plane: np.ndarray
+    settled: bool = True  # False: coarse, or of a bed that has changed since
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        rows, cols = self.packed.shape[:2]
+        return rows // BLOCKS, cols
+
+    def block(self, which: int) -> np.ndarray:
+        """TIMES or HEIGHTS, `(rows, cols, 4)`."""
+        rows = self.shape[0]
+        return self.packed[which * rows : (which + 1) * rows]
+
+    def at(self, x, y) -> Passing:
+        """What passes world points (arrays)."""
+        (rows, cols), x, y = self.shape, np.asarray(x, np.float64), np.asarray(y, np.float64)
+        u, v = x / self.cell_m, y / self.cell_m
+        ui, vi = np.clip(u, 0, cols - 1), np.clip(v, 0, rows - 1)
+        out_x, out_y = (u - ui) * self.cell_m, (v - vi) * self.cell_m
+        times, heights = (self._spline(block, ui, vi) for block in (TIMES, HEIGHTS))
+        times = times.v + times.dx * out_x[..., None] + times.dy * out_y[..., None], times.dx, times.dy
+        away = np.hypot(out_x, out_y)
+        reach = np.maximum(away, 1e-6)
+        beyond = step(0.0, BEYOND_M, Dual(away, out_x / reach, out_y / reach))
+        swells, gains = [], []
+        for i in range(SWELLS):
+            cycles = Dual(*(part[..., i] for part in times)) * (1 / self.period_s[i])
+            cycles, lies = self._joined(i, cycles, beyond, x, y)
+            swells.append(cycles)
+            gain = Dual(*(part[..., 1 + i] for part in (heights.v, heights.dx, heights.dy)))
+            gains.append((gain + (1.0 - gain) * beyond) * lies)
+        shore = Dual(*(part[..., 3] for part in times)) * (1 / self.period_s[0])
+        lead = Dual(*(part[..., 0] for part in (heights.v, heights.dx, heights.dy)))
+        return Passing(tuple(swells), shore, tuple(gains), lead)
+
+    def _joined(self, i: int, cycles: Dual, beyond: Dual, x, y) -> tuple[Dual, np.ndarray]:
+        """Cycles that become those of the plane wave beyond the border, and what is left of the height in between."""
+        east, north = self.plane[i] / self.period_s[i]
+        plane = Dual(east * x + north * y, east, north)
+        gap = plane - cycles
+        lies = 1.0 - 4.0 * beyond.v * (1.0 - beyond.v) * step(*APART, Dual(np.abs(gap.v))).v
+        return cycles + gap * beyond, lies
+
+    def _spline(self, which: int, u: np.ndarray, v: np.ndarray) -> Dual:
+        """A block at texel coordinates within the map, its channels on the last axis."""
+        rows, cols = self.shape
+        col = np.clip(np.floor(u + 0.5), 1, cols - 2).astype(np.int64)
+        row = np.clip(np.floor(v + 0.5), 1, rows - 2).astype(np.int64)
+        (wx, dx), (wy, dy) = _weights(u - col), _weights(v - row)
+        block, sums = self.block(which), [0.0, 0.0, 0.0]
+        for r in range(3):
+            for c in range(3):
+                value = block[row + r - 1, col + c - 1].astype(np.float64)
+                for n, weight in enumerate((wx[c] * wy[r], dx[c] * wy[r], wx[c] * dy[r])):
+                    sums[n] = sums[n] + value * weight[..., None]
+        return Dual(sums[0], sums[1] / self.cell_m, sums[2] / self.cell_m)
+
+
+def _weights(t: np.ndarray) -> tuple[tuple, tuple]:
+    """The quadratic B-spline's three weights at −½ … ½ about a texel, and their slopes."""
+    return (0.5 * (0.5 - t) ** 2, 0.75 - t * t, 0.5 * (0.5 + t) ** 2), (t - 0.5, -2.0 * t, t + 0.5)

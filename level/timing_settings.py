@@ -1,0 +1,30 @@
+"""When waves arrive and how high they are on their way (T06): a section of `param` rows."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+from .params import Section, param
+
+
+class Timing(Section):
+    """Which clock the waves keep: that of the depth, or the time that a swell takes over this bed."""
+
+    source: Literal["depth", "travel_time", "blend"] = param(
+        "depth", doc="Fronts stand on depth contours; or they refract, shoal and bunch over the bed as a swell does."
+    )
+    blend: float = param(0.5, 0, 1, "", "With source blend: 0 times by depth, 1 times by travel.")
+    least_depth_m: float = param(
+        0.3, 0.05, 5, "m", "Water shallower than this slows a swell no further.", soft=(0.1, 1)
+    )
+    breaker: float = param(0.78, 0.3, 1.5, "", "Height against depth at which a wave breaks.", soft=(0.5, 1.2))
+
+    @property
+    def travels(self) -> bool:
+        """Whether travel times count at all."""
+        return self.source != "depth"
+
+    @property
+    def share(self) -> float:
+        """Share of travel time in the moment of arrival."""
+        return {"depth": 0.0, "travel_time": 1.0, "blend": self.blend}[self.source]
