@@ -8,7 +8,7 @@ T is absolute: `T(x) = D · x / c_ref` where the swell comes in, 0 at the world'
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -40,10 +40,17 @@ class TravelTime:
     heading_deg: float
     depth_ref_m: float  # of the plane wave beyond the border
     speed_ref: float  # its phase speed, m/s
+    border: Border | None  # how it comes in; None: it doesn't
 
     def plane(self, x, y) -> np.ndarray:
         """Seconds of the plane wave that the swell is beyond the level, at world points."""
         return plane_time(x, y, self.heading_deg, self.speed_ref)
+
+    def strided(self, step: int) -> TravelTime:
+        """Every `step`-th sample, as depth[::step, ::step] has it."""
+        names = ("seconds", "reached", "wavenumber", "meets")
+        maps = {name: np.ascontiguousarray(getattr(self, name)[::step, ::step]) for name in names}
+        return replace(self, cell_m=self.cell_m * step, **maps)
 
 
 def plane_time(x, y, heading_deg: float, speed: float) -> np.ndarray:
@@ -90,9 +97,9 @@ def solve(
         seconds = turn.back(marched) + float(plane_time(*corner, heading_deg, speed_ref))
     reached = np.isfinite(seconds)
     meets = meeting(seconds, reached, cell_m, 2 * np.pi * speed_ref / omega)
-    seconds = _over_land(seconds, reached, plane_time(x, y, heading_deg, speed_ref))
+    seconds = over_land(seconds, reached, plane_time(x, y, heading_deg, speed_ref))
     maps = seconds.astype(np.float32, order="C"), reached.copy(order="C"), k.astype(np.float32), meets
-    return TravelTime(*maps, origin_m, cell_m, period_s, heading_deg, depth_ref, speed_ref)
+    return TravelTime(*maps, origin_m, cell_m, period_s, heading_deg, depth_ref, speed_ref, border)
 
 
 def _march(depth, slowness, border: Border, omega: float, cell_m: float, order: int) -> np.ndarray:
@@ -138,8 +145,8 @@ def _seeds(depth, slowness, border: Border, omega: float, cell_m: float) -> tupl
     return main / omega, side / omega
 
 
-def _over_land(seconds: np.ndarray, reached: np.ndarray, beyond: np.ndarray) -> np.ndarray:
-    """T goes on for a few cells past what is reached, as the mean of neighbours; `beyond` farther out."""
+def over_land(seconds: np.ndarray, reached: np.ndarray, beyond) -> np.ndarray:
+    """A map goes on for a few cells past what is reached, as the mean of neighbours; `beyond` farther out."""
     known = reached.copy()
     seconds = np.where(known, seconds, 0.0)
     for _ in range(OVER_LAND):

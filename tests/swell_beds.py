@@ -26,3 +26,12 @@ def flume(cell_m: float = 0.01, cols: int = 5):
     for start, end, slope in zip(FLUME_BREAKS_M[:-1], FLUME_BREAKS_M[1:], FLUME_SLOPES, strict=True):
         depth -= slope * (np.clip(x, start, end) - start)
     return np.repeat(depth[:, None], cols, axis=1), cell_m
+
+
+def rough_coast(side: int = 301, cell_m: float = 3.0):
+    """A bay with a shoal, an island and a beach in the north."""
+    y, x = np.mgrid[:side, :side] * cell_m
+    depth = 18.0 - 18.0 * np.clip((y - 200 - 60 * np.sin(x / 130)) / 600, 0, 1.1)
+    depth -= 9.0 * np.exp(-((x - 300) ** 2 + (y - 330) ** 2) / 80**2)
+    depth -= 20.0 * np.exp(-((x - 620) ** 2 + (y - 450) ** 2) / 60**2)
+    return depth, cell_m

@@ -50,7 +50,7 @@ def test_flume_long_wave():
 
 def test_grid_does_not_matter():
     """T06: over a rough coast half the samples give the same times within 0.1 s of a minute."""
-    depth, cell_m = _rough()
+    depth, cell_m = swell_beds.rough_coast()
     fine, coarse = solve(depth, cell_m, 9.0, 20.0), solve(*strided(depth, cell_m, 151), 9.0, 20.0)
     assert coarse.cell_m == 2 * cell_m
     both = fine.reached[::2, ::2] & coarse.reached & (depth[::2, ::2] > 1.0)
@@ -62,7 +62,7 @@ def test_grid_does_not_matter():
 
 def test_moved_level_moves_time():
     """T06: the same bed at another place of the world has T later by the plane wave's way there, nothing else."""
-    depth, cell_m = _rough()
+    depth, cell_m = swell_beds.rough_coast()
     here, there = (solve(depth, cell_m, 9.0, 20.0, origin_m=o) for o in ((0.0, 0.0), (64.0, -32.0)))
     moved = float(plane_time(64.0, -32.0, 20.0, here.speed_ref))
     assert np.abs(there.seconds - here.seconds - moved).max() < 2e-5
@@ -71,7 +71,7 @@ def test_moved_level_moves_time():
 @pytest.mark.parametrize(("axis", "heading_deg"), [(1, -20.0), (0, 160.0), (None, 70.0)])
 def test_mirrored_level_mirrors_time(axis, heading_deg):
     """T06: east for west, south for north and one axis for the other: the same map mirrored."""
-    depth, cell_m = _rough()
+    depth, cell_m = swell_beds.rough_coast()
 
     def mirrored(field):
         return field.T if axis is None else np.flip(field, axis)
@@ -133,12 +133,3 @@ def test_missing_solver_is_one_sentence(monkeypatch):
     monkeypatch.setitem(sys.modules, "skfmm", None)
     with pytest.raises(BadInput, match="scikit-fmm"):
         solve(np.full((20, 20), 8.0), 2.0, 9.0, 0.0)
-
-
-def _rough(side: int = 301, cell_m: float = 3.0):
-    """A bay with a shoal, an island and a beach in the north."""
-    y, x = np.mgrid[:side, :side] * cell_m
-    depth = 18.0 - 18.0 * np.clip((y - 200 - 60 * np.sin(x / 130)) / 600, 0, 1.1)
-    depth -= 9.0 * np.exp(-((x - 300) ** 2 + (y - 330) ** 2) / 80**2)
-    depth -= 20.0 * np.exp(-((x - 620) ** 2 + (y - 450) ** 2) / 60**2)
-    return depth, cell_m

@@ -1,0 +1,83 @@
+"""What is asked of the solver of travel time and wave heights, and what comes back: data that a process can carry.
+
+`solve_request` is the one way to an answer: called at once or in another process it gives the same bits.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from .travel_time import LEAST_DEPTH_M, TravelTime, solve
+from .wave_heights import BREAKS_AT, WaveHeights, wave_heights
+
+
+@dataclass(frozen=True)
+class Swell:
+    """One swell: period, where it goes to (clockwise from north), crest to trough beyond the level."""
+
+    period_s: float
+    heading_deg: float
+    height_m: float = 0.0  # 0: only its time is asked for
+
+
+@dataclass(frozen=True)
+class SwellRequest:
+    """A bed and the swells over it."""
+
+    depth_m: np.ndarray  # float32 (rows, cols), row 0 south, land <= 0
+    cell_m: float
+    swells: tuple[Swell, ...]
+    speed: np.ndarray | None = None  # painted, multiplies the phase speed
+    origin_m: tuple[float, float] = (0.0, 0.0)
+    least_depth_m: float = LEAST_DEPTH_M
+    heights_side: int = 513  # most samples a side of the maps of height
+    breaks_at: float = BREAKS_AT
+    runup: str = "hunt"
+
+    def kept(self) -> SwellRequest:
+        """With arrays of its own, which no later edit of the level reaches."""
+        speed = None if self.speed is None else np.array(self.speed, np.float32)
+        return replace(self, depth_m=np.array(self.depth_m, np.float32), speed=speed)
+
+    @property
+    def step(self) -> int:
+        """Every how many samples the maps of height have one."""
+        return max(1, math.ceil((max(self.depth_m.shape) - 1) / (self.heights_side - 1)))
+
+
+@dataclass(frozen=True)
+class SwellResult:
+    """Of one swell; `heights` has every `step`-th sample, None where no height was asked for."""
+
+    time: TravelTime
+    heights: WaveHeights | None
+    step: int
+
+
+def solve_request(request: SwellRequest) -> tuple[SwellResult, ...]:
+    """Travel time and heights of each swell, in the order asked."""
+    return tuple(_solve(request, swell) for swell in request.swells)
+
+
+def _solve(request: SwellRequest, swell: Swell) -> SwellResult:
+    depth_m, step = np.asarray(request.depth_m, np.float32), request.step
+    speed = 1.0 if request.speed is None else request.speed
+    found = solve(
+        depth_m, request.cell_m, swell.period_s, swell.heading_deg, speed, request.least_depth_m, request.origin_m
+    )
+    if swell.height_m <= 0:
+        return SwellResult(found, None, step)
+    thinned = found if step == 1 else found.strided(step)
+    least = min(0.1, request.least_depth_m)
+    heights = wave_heights(
+        depth_m[::step, ::step],
+        thinned,
+        swell.height_m,
+        breaks_at=request.breaks_at,
+        least_depth_m=least,
+        runup=request.runup,
+    )
+    return SwellResult(found, heights, step)

@@ -1,0 +1,181 @@
+"""How high a swell is on its way to the beach, where and how it breaks, and how far up it runs (D34, T06).
+
+Energy goes along rays (`swell_rays`): shoaling from the group speed, refraction and shelter from rays that close up or
+spread. Where a wave is too high for its depth it breaks and loses energy as Dally, Dean & Dalrymple (1985) say, until
+it is low enough to form again behind a bar. Linear theory: it says less than the height just before breaking.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from scipy import ndimage
+
+from .dispersion import deep_water_length, group_ratio, group_speed
+from .runup import RUNUP, breaker_type, surf_similarity
+from .swell_rays import Rays, rays_of
+from .travel_time import TravelTime, over_land
+
+BREAKS_AT = 0.78  # height by depth (McCowan 1891)
+STABLE_AT = 0.4  # height by depth that a broken wave falls to (Dally, Dean & Dalrymple 1985)
+DECAY = 0.15  # theirs: part of the excess energy flux lost on a way as long as the water is deep
+FORMS_AGAIN = 1.05  # of the stable height: on an even bed a broken wave only ever comes near it
+MOST_GATHERED = 4.0  # times the energy: rays of linear theory cross at a caustic and know no bound
+NARROWEST = 0.5  # of the width a ray had one cell before
+BED_OVER = 0.05  # of the swell's length: the bed's slope is that of a bed smoothed so wide
+LEAST_SLOPE = 1e-3
+
+
+@dataclass(frozen=True)
+class WaveHeights:
+    """Maps `(rows, cols)` float32, row 0 south; on land they go on for a few cells, then are 0."""
+
+    height_m: np.ndarray  # crest to trough
+    gathered: np.ndarray  # height by that of a swell straight in: refraction and shelter, before breaking
+    broken: np.ndarray  # 1 where the wave is broken
+    since_break_s: np.ndarray  # seconds since it broke, 0 where it hasn't
+    break_height_m: np.ndarray  # height with which it broke, 0 where it hasn't
+    similarity: np.ndarray  # surf similarity at the point where it broke
+    breaker: np.ndarray  # int8: 0 unbroken, 1 spilling, 2 plunging, 3 surging
+    break_point: np.ndarray  # bool: cells where it begins to break
+    runup_m: np.ndarray  # above still water, at the nearest water's edge
+
+
+def wave_heights(
+    depth_m: np.ndarray,
+    found: TravelTime,
+    height_m: float,
+    breaks_at: float = BREAKS_AT,
+    decay: float = DECAY,
+    stable_at: float = STABLE_AT,
+    least_depth_m: float = 0.1,
+    runup: str = "hunt",
+) -> WaveHeights:
+    """Heights of a swell that is `height_m` high beyond the level, over depth (rows, cols) as `found` was solved on."""
+    if found.border is None or height_m <= 0 or not found.reached.any():
+        return _none(found.seconds.shape)
+    surf = _Surf(np.asarray(depth_m, np.float64), found, height_m, least_depth_m)
+    surf.breaks_at, surf.decay, surf.stable_at = breaks_at, decay, stable_at
+    for cells in surf.rays.generations():
+        surf.step(cells)
+    return surf.maps(depth_m, runup)
+
+
+@dataclass
+class _Surf:
+    """The march: state of each cell of the padded, turned grid, filled in generation by generation."""
+
+    depth_m: np.ndarray
+    found: TravelTime
+    offshore_m: float
+    least_depth_m: float
+    breaks_at: float = BREAKS_AT
+    decay: float = DECAY
+    stable_at: float = STABLE_AT
+    rays: Rays = field(init=False)
+
+    def __post_init__(self):
+        self.rays = rays_of(self.found)
+        self.h = np.maximum(self._flat(self.depth_m), self.least_depth_m)
+        k = np.maximum(self._flat(self.found.wavenumber), 1e-6)
+        period_s = self.found.period_s
+        self.group = 2 * np.pi / period_s / k * group_ratio(k, self.h)
+        self.group_ref = float(group_speed(period_s, self.found.depth_ref_m))
+        self.slope = self._slope_along()
+        self.unbroken = self.rays.entry * self.group_ref  # energy flux: group speed times (H / offshore H)²
+        self.flux = self.unbroken.copy()
+        cells = self.h.size
+        self.broken, self.starts = np.zeros(cells), np.zeros(cells, bool)
+        self.since, self.break_height, self.similarity = np.zeros(cells), np.zeros(cells), np.zeros(cells)
+        self.fullness = np.zeros(cells)  # height by the height that breaks, before breaking takes from it
+
+    def step(self, cells: np.ndarray) -> None:
+        """One generation: what flows in, what of it is broken, what it loses here."""
+        share = self.rays.share[:, cells]
+        from_ = cells + np.array(self.rays.steps)[:, None]
+        total = share.sum(axis=0)
+        out = np.maximum(np.maximum(self.rays.leaves[cells], NARROWEST * total), 1e-9)
+        most = MOST_GATHERED * self.group_ref
+        self.unbroken[cells] = np.minimum((share * self.unbroken[from_]).sum(axis=0) / out, most)
+        flux = np.minimum((share * self.flux[from_]).sum(axis=0) / out, most)
+        total = np.maximum(total, 1e-9)
+        delay = (share * self.rays.delay_s[:, cells]).sum(axis=0) / total
+        h, group = self.h[cells], self.group[cells]
+        height = self.offshore_m * np.sqrt(flux / group)
+        full = height / (self.breaks_at * h)
+        hurt = share * self.broken[from_]
+        hurt_total = hurt.sum(axis=0)
+        was = (hurt_total > 0.5 * total) & (height > FORMS_AGAIN * self.stable_at * h)
+        starts = ~was & (full > 1)
+        before = (share * self.fullness[from_]).sum(axis=0) / total
+        hurt_total = np.maximum(hurt_total, 1e-9)
+        since = (hurt * self.since[from_]).sum(axis=0) / hurt_total + delay
+        part = np.clip((full - 1) / np.maximum(full - before, 1e-6), 0, 1)  # of the way here that it has been broken
+        broken = was | starts
+        self.since[cells] = np.where(starts, part * delay, since) * broken
+        new_similarity = surf_similarity(self.slope[cells], height, self.found.period_s)
+        for state, new in ((self.break_height, height), (self.similarity, new_similarity)):
+            carried = (hurt * state[from_]).sum(axis=0) / hurt_total
+            state[cells] = np.where(starts, new, carried) * broken
+        way = delay / self.rays.slowness[cells] * np.where(starts, part, 1.0)
+        stable = group * (self.stable_at * h / self.offshore_m) ** 2
+        excess = np.maximum(flux - stable, 0.0)
+        lost = excess * -np.expm1(-self.decay * way / h)
+        limit = group * (self.breaks_at * h / self.offshore_m) ** 2
+        self.flux[cells] = np.where(broken, np.minimum(flux - lost, limit), flux)
+        self.fullness[cells], self.broken[cells], self.starts[cells] = full, broken, starts
+
+    def maps(self, depth_m: np.ndarray, runup: str) -> WaveHeights:
+        """The state as maps of the level."""
+        water = self.found.reached
+        height = self._level(self.offshore_m * np.sqrt(self.flux / self.group))
+        gathered = self._level(np.sqrt(self.unbroken / self.group_ref))
+        since, similarity = self._level(self.since), self._level(self.similarity)
+        broken, break_height = self._level(self.broken), self._level(self.break_height)
+        spread = [over_land(f, water, 0.0) for f in (height, gathered, broken, since, break_height, similarity)]
+        height, gathered, broken, since, break_height, similarity = (f.astype(np.float32) for f in spread)
+        breaker = np.where(broken > 0.5, breaker_type(similarity), 0).astype(np.int8)
+        starts = self._level(self.starts).copy()
+        up = self._runup(np.asarray(depth_m, np.float64), gathered, runup)
+        return WaveHeights(height, gathered, broken, since, break_height, similarity, breaker, starts, up)
+
+    def _runup(self, depth_m, gathered, runup: str) -> np.ndarray:
+        """Run-up at cells of the water's edge by the slope of the beach there, spread to the nearest cells."""
+        water = self.found.reached
+        edge = water & ndimage.binary_dilation(depth_m <= 0)
+        if not edge.any():
+            return np.zeros(water.shape, np.float32)
+        north, east = np.gradient(self._smooth(depth_m), self.found.cell_m)
+        period_s = self.found.period_s
+        deep_group = deep_water_length(period_s) / period_s / 2
+        deep_m = self.offshore_m * gathered[edge] * np.sqrt(self.group_ref / deep_group)
+        up = np.zeros(water.shape, np.float32)
+        up[edge] = RUNUP[runup](np.hypot(north, east)[edge], deep_m, period_s)
+        row, col = ndimage.distance_transform_edt(~edge, return_distances=False, return_indices=True)
+        return up[row, col]
+
+    def _slope_along(self) -> np.ndarray:
+        """tan(beta) of the bed the way the wave goes, flat; a bed that falls away counts as the least slope."""
+        turned = self.found.border.turn.into(self._smooth(self.depth_m))
+        north, east = np.gradient(turned, self.found.cell_m)
+        toward_east, toward_north = self.rays.direction
+        along = -(np.pad(east, 1).ravel() * toward_east + np.pad(north, 1).ravel() * toward_north)
+        return np.maximum(along, LEAST_SLOPE)
+
+    def _smooth(self, depth_m: np.ndarray) -> np.ndarray:
+        length = self.found.speed_ref * self.found.period_s
+        return ndimage.gaussian_filter(depth_m, max(1.0, BED_OVER * length / self.found.cell_m), mode="nearest")
+
+    def _flat(self, field_: np.ndarray) -> np.ndarray:
+        """A map of the level as the march has it: turned, padded, flat float64."""
+        return np.pad(self.found.border.turn.into(field_).astype(np.float64), 1, mode="edge").ravel()
+
+    def _level(self, flat: np.ndarray) -> np.ndarray:
+        return self.found.border.turn.back(flat.reshape(self.rays.shape)[1:-1, 1:-1])
+
+
+def _none(shape: tuple[int, int]) -> WaveHeights:
+    """No wave anywhere."""
+    none = np.zeros(shape, np.float32)
+    return WaveHeights(*(none,) * 6, np.zeros(shape, np.int8), np.zeros(shape, bool), none)
