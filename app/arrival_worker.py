@@ -10,14 +10,15 @@ from __future__ import annotations
 import contextlib
 import signal
 import weakref
+from dataclasses import dataclass, field
 from multiprocessing import connection, get_context
 
 from ..level.errors import BadInput
 from ..level.swell_request import SwellRequest, SwellResult, solve_request
-from .shared_maps import Block, Maps, bytes_of, placed, restored
+from .shared_maps import ALIGN, Block, Maps, bytes_of, placed, restored
 
 Answer = tuple[SwellResult, ...] | BadInput
-BYTES_PER_CELL = 13 + 30  # of travel time's maps and of the heights', see `TravelTime` and `WaveHeights`
+BYTES_PER_CELL, MAPS = 13 + 30, 13  # of `TravelTime` and `WaveHeights` together
 STOPPED = (
     "The process that works out when waves arrive stopped (exit code {code}); it starts anew with the next change."
 )
@@ -28,21 +29,62 @@ def solve_now(request: SwellRequest) -> tuple[SwellResult, ...]:
     return solve_request(request.kept())
 
 
+@dataclass
+class _Held:
+    """What must be given back, in this order: the process first, which may just be attaching a block."""
+
+    process: object = None
+    pipe: connection.Connection | None = None
+    into: Block = field(default_factory=Block)
+    out: Block = field(default_factory=Block)
+
+    def start(self) -> None:
+        """Starts the process unless it lives."""
+        if self.process is not None and self.process.is_alive():
+            return
+        self.stop()
+        context = get_context("spawn")
+        self.pipe, theirs = context.Pipe()
+        self.process = context.Process(target=work, args=(theirs,), name="shorewright-arrivals", daemon=True)
+        self.process.start()
+        theirs.close()  # else the pipe would not end with the process
+
+    def stop(self) -> int | None:
+        """Ends the process, in the middle of something if need be; its exit code."""
+        if self.process is None:
+            return None
+        self.pipe.close()
+        self.process.join(0.2)
+        for stop in (self.process.terminate, self.process.kill):
+            if self.process.exitcode is None:
+                stop()
+                self.process.join(2.0)
+        code = self.process.exitcode
+        self.process.close()
+        self.process = self.pipe = None
+        return code
+
+    def release(self) -> None:
+        """Everything."""
+        self.stop()
+        self.into.release()
+        self.out.release()
+
+
 class ArrivalWorker:
     """One process, started with the first request and kept; used from one thread."""
 
     def __init__(self):
-        self._process, self._pipe = None, None
-        self._into, self._out = Block(), Block()
+        self._held = _Held()
         self._running: list | None = None  # [key, wanted]
         self._waiting: tuple | None = None  # (key, request)
-        self._broken: list = []  # answers without the process: (key, error)
-        self._end = None
+        self._failed: list = []  # answers that never left this process: (key, error)
+        weakref.finalize(self, self._held.release)  # also at the program's end
 
     @property
     def busy(self) -> bool:
         """Whether an answer is still to come."""
-        return bool(self._running or self._waiting or self._broken)
+        return bool(self._running or self._waiting or self._failed)
 
     def ask(self, key, request: SwellRequest) -> None:
         """Asks; what waited is dropped. `key` (a revision, say) comes back with the answer."""
@@ -51,23 +93,23 @@ class ArrivalWorker:
 
     def forget(self) -> None:
         """Nothing that was asked for so far is wanted any more: no answer to it comes out of `poll`."""
-        self._waiting, self._broken = None, []
+        self._waiting, self._failed = None, []
         if self._running:
             self._running[1] = False
 
     def poll(self) -> tuple[object, Answer] | None:
         """The next answer with its key, at once; None where there is none. What can't be solved is a `BadInput`."""
+        if self._failed:
+            return self._failed.pop(0)
         answer = None
-        if self._broken:
-            return self._broken.pop(0)
-        if self._running and self._pipe.poll():
+        if self._running and self._held.pipe.poll():
             (key, wanted), self._running = self._running, None
             try:
-                found = self._pipe.recv()
+                found = self._held.pipe.recv()
             except (EOFError, OSError):
                 found = self._stopped()
             if wanted:
-                answer = key, found if isinstance(found, BadInput) else self._out.read(found)
+                answer = key, found if isinstance(found, BadInput) else self._held.out.read(found)
         self._next()
         return answer
 
@@ -75,9 +117,7 @@ class ArrivalWorker:
         """Ends the process and gives all shared memory back; may be called again."""
         self.forget()
         self._running = None
-        self._shut()
-        self._into.release()
-        self._out.release()
+        self._held.release()
 
     def __enter__(self) -> ArrivalWorker:
         return self
@@ -90,48 +130,19 @@ class ArrivalWorker:
         if self._running or not self._waiting:
             return
         (key, request), self._waiting = self._waiting, None
-        self._into.fit(bytes_of(request))
-        self._out.fit(BYTES_PER_CELL * request.depth_m.size * len(request.swells) + 64 * 16 * len(request.swells))
+        held, swells = self._held, len(request.swells)
+        held.into.fit(bytes_of(request))
+        held.out.fit((BYTES_PER_CELL * request.depth_m.size + MAPS * ALIGN) * swells)
         try:
-            self._start()
-            self._pipe.send((self._into.name, self._out.name, self._into.write(request)))
+            held.start()
+            held.pipe.send((held.into.name, held.out.name, held.into.write(request)))
         except (OSError, EOFError):
-            self._broken.append((key, self._stopped()))
+            self._failed.append((key, self._stopped()))
             return
         self._running = [key, True]
 
-    def _start(self) -> None:
-        if self._process is not None and self._process.is_alive():
-            return
-        self._shut()
-        context = get_context("spawn")
-        self._pipe, theirs = context.Pipe()
-        self._process = context.Process(target=work, args=(theirs,), name="shorewright-arrivals", daemon=True)
-        self._process.start()
-        theirs.close()  # else the pipe would not end with the process
-        self._end = weakref.finalize(self, _end, self._process, self._pipe)
-
     def _stopped(self) -> BadInput:
-        self._process.join(1.0)
-        code = self._process.exitcode
-        self._shut()
-        return BadInput(STOPPED.format(code=code))
-
-    def _shut(self) -> None:
-        if self._end is not None:
-            self._end()
-        self._process, self._pipe, self._end = None, None, None
-
-
-def _end(process, pipe) -> None:
-    """Lets the process go: its pipe ends, and if it is in the middle of something it is stopped."""
-    pipe.close()
-    process.join(0.2)
-    for stop in (process.terminate, process.kill):
-        if process.exitcode is None:
-            stop()
-            process.join(2.0)
-    process.close()
+        return BadInput(STOPPED.format(code=self._held.stop()))
 
 
 def work(pipe: connection.Connection) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import weakref
 from dataclasses import dataclass, fields, is_dataclass, replace
 from multiprocessing.shared_memory import SharedMemory
 
@@ -67,10 +66,10 @@ def _mapped(thing, kind: type, change):
 
 
 class Block:
-    """Shared memory that this process owns: grows when asked, given back on `release` and at the program's end."""
+    """Shared memory that this process owns: grows when asked; whoever holds it must `release` it."""
 
     def __init__(self):
-        self._memory, self._end = None, None
+        self._memory = None
 
     @property
     def name(self) -> str:
@@ -82,7 +81,6 @@ class Block:
             return
         self.release()
         self._memory = SharedMemory(create=True, size=size)
-        self._end = weakref.finalize(self, _give_back, self._memory)
 
     def write(self, thing):
         return placed(thing, self._memory.buf)
@@ -91,14 +89,10 @@ class Block:
         return restored(thing, self._memory.buf)
 
     def release(self) -> None:
-        if self._end is not None:
-            self._end()
-        self._memory, self._end = None, None
-
-
-def _give_back(memory: SharedMemory) -> None:
-    memory.close()
-    memory.unlink()
+        if self._memory is not None:
+            self._memory.close()
+            self._memory.unlink()
+            self._memory = None
 
 
 class Maps:

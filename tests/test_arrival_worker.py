@@ -119,7 +119,7 @@ def test_a_killed_process_is_told_and_replaced():
         worker.ask("first", _request())
         _answer(worker)
         worker.ask("killed", _request(501))
-        worker._process.kill()
+        worker._held.process.kill()
         key, found = _answer(worker)
         assert (key, type(found)) == ("killed", BadInput)
         worker.ask("again", _request())
@@ -130,10 +130,10 @@ def test_close_leaves_nothing():
     """T06: no process and no shared memory after `close`, even in the middle of a solve; closing twice is fine."""
     worker = ArrivalWorker()
     worker.ask(0, _request())
-    pid = worker._process.pid
+    pid = worker._held.process.pid
     _answer(worker)
     worker.ask(1, _request(801))
-    blocks = worker._into.name, worker._out.name
+    blocks = worker._held.into.name, worker._held.out.name
     worker.close()
     worker.close()
     assert not worker.busy
@@ -155,7 +155,7 @@ if __name__ == "__main__":
     worker.ask(0, _request())
     _answer(worker)
     worker.ask(1, _request(401))
-    print(worker._process.pid, flush=True)
+    print(worker._held.process.pid, flush=True)
     {end}
 """
 
