@@ -9,9 +9,13 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy import ndimage
 
 from .travel_time import LEAST_DEPTH_M, TravelTime, solve
 from .wave_heights import BREAKS_AT, WaveHeights, wave_heights
+
+LAND_COUNTS_M = 3.0  # height of land in the smoothed bed: a cliff isn't deeper under water for being high
+LEAST_OF_DEPTH = 0.25  # of the water's own depth: a channel between rocks stays one
 
 
 @dataclass(frozen=True)
@@ -33,6 +37,7 @@ class SwellRequest:
     speed: np.ndarray | None = None  # painted, multiplies the phase speed
     origin_m: tuple[float, float] = (0.0, 0.0)
     least_depth_m: float = LEAST_DEPTH_M
+    bed_over_m: float = 4.0  # waves feel a bed smoothed so wide (sigma): not each boulder; 0: the bed as it is
     heights_side: int = 513  # most samples a side of the maps of height
     breaks_at: float = BREAKS_AT
     runup: str = "hunt"
@@ -59,11 +64,24 @@ class SwellResult:
 
 def solve_request(request: SwellRequest) -> tuple[SwellResult, ...]:
     """Travel time and heights of each swell, in the order asked."""
-    return tuple(_solve(request, swell) for swell in request.swells)
+    bed_m = felt_bed(np.asarray(request.depth_m, np.float32), request.cell_m, request.bed_over_m)
+    return tuple(_solve(request, bed_m, swell) for swell in request.swells)
 
 
-def _solve(request: SwellRequest, swell: Swell) -> SwellResult:
-    depth_m, step = np.asarray(request.depth_m, np.float32), request.step
+def felt_bed(depth_m: np.ndarray, cell_m: float, over_m: float) -> np.ndarray:
+    """Depth as long waves feel it: boulders and ripples smoothed away, channels and pools kept, float32.
+
+    A wave goes over and round what is small against its length; each boulder would cast a shadow along a ray.
+    """
+    if over_m <= 0:
+        return depth_m
+    wide = ndimage.gaussian_filter(np.maximum(depth_m, -LAND_COUNTS_M), over_m / cell_m, mode="nearest")
+    wet = np.where(depth_m > 0, np.maximum(wide, LEAST_OF_DEPTH * depth_m), wide)
+    return np.where((depth_m > 0) | (wide > 0), wet, np.minimum(depth_m, 0.0)).astype(np.float32)
+
+
+def _solve(request: SwellRequest, depth_m: np.ndarray, swell: Swell) -> SwellResult:
+    step = request.step
     speed = 1.0 if request.speed is None else request.speed
     found = solve(
         depth_m, request.cell_m, swell.period_s, swell.heading_deg, speed, request.least_depth_m, request.origin_m

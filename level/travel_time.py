@@ -96,7 +96,7 @@ def solve(
         corner = x[-1 if turn.flip_cols else 0], y[-1 if turn.flip_rows else 0, 0]
         seconds = turn.back(marched) + float(plane_time(*corner, heading_deg, speed_ref))
     reached = np.isfinite(seconds)
-    meets = meeting(seconds, reached, cell_m, 2 * np.pi * speed_ref / omega)
+    meets = meeting(seconds, reached, k, cell_m)
     seconds = over_land(seconds, reached, plane_time(x, y, heading_deg, speed_ref))
     maps = seconds.astype(np.float32, order="C"), reached.copy(order="C"), k.astype(np.float32), meets
     return TravelTime(*maps, origin_m, cell_m, period_s, heading_deg, depth_ref, speed_ref, border)

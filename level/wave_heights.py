@@ -21,8 +21,11 @@ BREAKS_AT = 0.78  # height by depth (McCowan 1891)
 STABLE_AT = 0.4  # height by depth that a broken wave falls to (Dally, Dean & Dalrymple 1985)
 DECAY = 0.15  # theirs: part of the excess energy flux lost on a way as long as the water is deep
 FORMS_AGAIN = 1.05  # of the stable height: on an even bed a broken wave only ever comes near it
-MOST_GATHERED = 4.0  # times the energy: rays of linear theory cross at a caustic and know no bound
-NARROWEST = 0.5  # of the width a ray had one cell before
+SPREADS_OVER = 0.12  # of the swell's length (sigma): rays know no diffraction
+HEAPED_FROM, HEAPS_SPREAD = 1.5, 3.0  # times the energy from which on it is spread so many times wider
+MOST_GATHERED = 4.0  # times the energy, in the end: at a caustic rays of linear theory know no bound
+MOST_ON_A_LINE = 1.0  # of the energy over a front as wide as the swell is long: all that one line of cells may heap up
+NARROWEST = 0.2  # of the width a ray had one cell before
 BED_OVER = 0.05  # of the swell's length: the bed's slope is that of a bed smoothed so wide
 LEAST_SLOPE = 1e-3
 
@@ -57,7 +60,11 @@ def wave_heights(
         return _none(found.seconds.shape)
     surf = _Surf(np.asarray(depth_m, np.float64), found, height_m, least_depth_m)
     surf.breaks_at, surf.decay, surf.stable_at = breaks_at, decay, stable_at
-    for cells in surf.rays.generations():
+    order = list(surf.rays.generations())
+    for cells in order:
+        surf.gather(cells)
+    surf.spread()
+    for cells in order:
         surf.step(cells)
     return surf.maps(depth_m, runup)
 
@@ -83,24 +90,46 @@ class _Surf:
         self.group = 2 * np.pi / period_s / k * group_ratio(k, self.h)
         self.group_ref = float(group_speed(period_s, self.found.depth_ref_m))
         self.slope = self._slope_along()
-        self.unbroken = self.rays.entry * self.group_ref  # energy flux: group speed times (H / offshore H)²
-        self.flux = self.unbroken.copy()
+        self.most = self.group_ref * max(MOST_GATHERED, MOST_ON_A_LINE * self._length() / self.found.cell_m)
         cells = self.h.size
+        self.unbroken = self.rays.entry * self.group_ref  # energy flux: group speed times (H / offshore H)²
+        self.left = np.ones(cells)  # part of it that breaking left
         self.broken, self.starts = np.zeros(cells), np.zeros(cells, bool)
         self.since, self.break_height, self.similarity = np.zeros(cells), np.zeros(cells), np.zeros(cells)
         self.fullness = np.zeros(cells)  # height by the height that breaks, before breaking takes from it
 
+    def gather(self, cells: np.ndarray) -> None:
+        """One generation of the unbroken swell: what flows in goes on through the faces it leaves by."""
+        share, from_ = self._upwave(cells)
+        out = np.maximum(self.rays.leaves[cells], np.maximum(NARROWEST * share.sum(axis=0), 1e-9))
+        flux = (share * self.unbroken[from_]).sum(axis=0) / out
+        self.unbroken[cells] = np.minimum(flux, self.most)
+
+    def spread(self) -> None:
+        """Diffraction in its simplest form: energy is no sharper than a part of the wave's length.
+
+        What first arrivals heap up on one line is that of beams which cross there: it is spread wider.
+        """
+        shape, sigma = self.rays.shape, self._length() * SPREADS_OVER / self.found.cell_m
+        water = (self.rays.water | (self.rays.entry > 0)).reshape(shape).astype(np.float64)
+        flux = self.unbroken.reshape(shape) * water
+        single = np.minimum(flux, HEAPED_FROM * self.group_ref)
+        wide = _spread(single, water, sigma) + _spread(flux - single, water, sigma * HEAPS_SPREAD)
+        wide = np.minimum(wide.ravel(), MOST_GATHERED * self.group_ref)
+        self.unbroken = np.where(self.rays.water, wide, self.unbroken)
+
+    def _upwave(self, cells: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Of each cell's four neighbours: the share that comes from it (4, n), its index (4, n)."""
+        return self.rays.share[:, cells], cells + np.array(self.rays.steps)[:, None]
+
     def step(self, cells: np.ndarray) -> None:
-        """One generation: what flows in, what of it is broken, what it loses here."""
-        share = self.rays.share[:, cells]
-        from_ = cells + np.array(self.rays.steps)[:, None]
-        total = share.sum(axis=0)
-        out = np.maximum(np.maximum(self.rays.leaves[cells], NARROWEST * total), 1e-9)
-        most = MOST_GATHERED * self.group_ref
-        self.unbroken[cells] = np.minimum((share * self.unbroken[from_]).sum(axis=0) / out, most)
-        flux = np.minimum((share * self.flux[from_]).sum(axis=0) / out, most)
-        total = np.maximum(total, 1e-9)
-        delay = (share * self.rays.delay_s[:, cells]).sum(axis=0) / total
+        """One generation of breaking: what of the energy that flows in is broken, and what it loses here."""
+        share, from_ = self._upwave(cells)
+        delays = self.rays.delay_s[:, cells]
+        share = share * np.maximum(self.unbroken[from_], 1e-9)
+        total = np.maximum(share.sum(axis=0), 1e-12)
+        delay = (share * delays).sum(axis=0) / total
+        flux = self.unbroken[cells] * (share * self.left[from_]).sum(axis=0) / total
         h, group = self.h[cells], self.group[cells]
         height = self.offshore_m * np.sqrt(flux / group)
         full = height / (self.breaks_at * h)
@@ -109,7 +138,7 @@ class _Surf:
         was = (hurt_total > 0.5 * total) & (height > FORMS_AGAIN * self.stable_at * h)
         starts = ~was & (full > 1)
         before = (share * self.fullness[from_]).sum(axis=0) / total
-        hurt_total = np.maximum(hurt_total, 1e-9)
+        hurt_total = np.maximum(hurt_total, 1e-12)
         since = (hurt * self.since[from_]).sum(axis=0) / hurt_total + delay
         part = np.clip((full - 1) / np.maximum(full - before, 1e-6), 0, 1)  # of the way here that it has been broken
         broken = was | starts
@@ -123,13 +152,14 @@ class _Surf:
         excess = np.maximum(flux - stable, 0.0)
         lost = excess * -np.expm1(-self.decay * way / h)
         limit = group * (self.breaks_at * h / self.offshore_m) ** 2
-        self.flux[cells] = np.where(broken, np.minimum(flux - lost, limit), flux)
+        flux = np.where(broken, np.minimum(flux - lost, limit), flux)
+        self.left[cells] = flux / np.maximum(self.unbroken[cells], 1e-12)
         self.fullness[cells], self.broken[cells], self.starts[cells] = full, broken, starts
 
     def maps(self, depth_m: np.ndarray, runup: str) -> WaveHeights:
         """The state as maps of the level."""
         water = self.found.reached
-        height = self._level(self.offshore_m * np.sqrt(self.flux / self.group))
+        height = self._level(self.offshore_m * np.sqrt(self.unbroken * self.left / self.group))
         gathered = self._level(np.sqrt(self.unbroken / self.group_ref))
         since, similarity = self._level(self.since), self._level(self.similarity)
         broken, break_height = self._level(self.broken), self._level(self.break_height)
@@ -164,8 +194,12 @@ class _Surf:
         return np.maximum(along, LEAST_SLOPE)
 
     def _smooth(self, depth_m: np.ndarray) -> np.ndarray:
-        length = self.found.speed_ref * self.found.period_s
-        return ndimage.gaussian_filter(depth_m, max(1.0, BED_OVER * length / self.found.cell_m), mode="nearest")
+        sigma = max(1.0, BED_OVER * self._length() / self.found.cell_m)
+        return ndimage.gaussian_filter(depth_m, sigma, mode="nearest")
+
+    def _length(self) -> float:
+        """Metres from crest to crest beyond the level."""
+        return self.found.speed_ref * self.found.period_s
 
     def _flat(self, field_: np.ndarray) -> np.ndarray:
         """A map of the level as the march has it: turned, padded, flat float64."""
@@ -179,3 +213,9 @@ def _none(shape: tuple[int, int]) -> WaveHeights:
     """No wave anywhere."""
     none = np.zeros(shape, np.float32)
     return WaveHeights(*(none,) * 6, np.zeros(shape, np.int8), np.zeros(shape, bool), none)
+
+
+def _spread(flux: np.ndarray, water: np.ndarray, sigma: float) -> np.ndarray:
+    """A map smoothed over water only: land takes none."""
+    wide = ndimage.gaussian_filter(flux, sigma, mode="nearest")
+    return wide / np.maximum(ndimage.gaussian_filter(water, sigma, mode="nearest"), 1e-6)

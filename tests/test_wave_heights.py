@@ -75,7 +75,7 @@ def test_waves_form_again_behind_a_bar():
     assert heights[1] < 0.7 * heights[0]
 
 
-def test_calm_behind_an_island_and_wide_on_a_headland():
+def test_calm_behind_an_island_high_behind_a_shoal():
     """T06: an island's lee is sheltered, its sides aren't; a shoal gathers waves behind it; nothing grows for ever."""
     y, x = np.mgrid[:201, :201] * 4.0
     island = np.where(np.hypot(x - 400, y - 300) < 90, -1.0, 12.0)
@@ -84,8 +84,9 @@ def test_calm_behind_an_island_and_wide_on_a_headland():
     assert np.abs(surf.height_m[110, :40] - 1).max() < 0.05
     shoal = 12.0 - 9.0 * np.exp(-((x - 400) ** 2 + (y - 300) ** 2) / 100**2)
     surf = wave_heights(shoal, solve(shoal, 4.0, 8.0, 0.0), 0.5)
-    assert surf.height_m[130, 100] > 0.7
-    assert surf.height_m[130, 60] < 0.5
+    assert surf.height_m[90, 100] > 0.7
+    assert surf.height_m[130, 100] > 0.55
+    assert surf.height_m[130, 75] < 0.5
     assert surf.height_m.max() < 2.0 * 0.5 * 1.5
 
 
