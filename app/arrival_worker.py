@@ -9,9 +9,11 @@ from __future__ import annotations
 
 import contextlib
 import signal
+import sys
 import weakref
 from dataclasses import dataclass, field
 from multiprocessing import connection, get_context
+from types import ModuleType
 
 from ..level.errors import BadInput
 from ..level.swell_request import SwellRequest, SwellResult, solve_request
@@ -44,10 +46,16 @@ class _Held:
             return
         self.stop()
         context = get_context("spawn")
-        self.pipe, theirs = context.Pipe()
-        self.process = context.Process(target=work, args=(theirs,), name="shorewright-arrivals", daemon=True)
-        self.process.start()
+        pipe, theirs = context.Pipe()
+        process = context.Process(target=work, args=(theirs,), name="shorewright-arrivals", daemon=True)
+        # A new process would import the program that runs (the window, or a script and all that it does) once more.
+        program, sys.modules["__main__"] = sys.modules["__main__"], ModuleType("__main__")
+        try:
+            process.start()
+        finally:
+            sys.modules["__main__"] = program
         theirs.close()  # else the pipe would not end with the process
+        self.process, self.pipe = process, pipe
 
     def stop(self) -> int | None:
         """Ends the process, in the middle of something if need be; its exit code."""

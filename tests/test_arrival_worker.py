@@ -150,13 +150,12 @@ import sys, time
 sys.path.insert(0, {tests!r})
 from test_arrival_worker import _request, _answer
 from shorewright.app.arrival_worker import ArrivalWorker
-if __name__ == "__main__":
-    worker = ArrivalWorker()
-    worker.ask(0, _request())
-    _answer(worker)
-    worker.ask(1, _request(401))
-    print(worker._held.process.pid, flush=True)
-    {end}
+worker = ArrivalWorker()  # with no guard against a second import: the new process runs none of this
+worker.ask(0, _request())
+_answer(worker)
+worker.ask(1, _request(401))
+print(worker._held.process.pid, flush=True)
+{end}
 """
 
 
