@@ -5,13 +5,12 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import ndimage
 
-from .travel_time import LEAST_DEPTH_M, TravelTime, solve
+from .travel_time import LEAST_DEPTH_M, TravelTime, solve, stride
 from .wave_heights import BREAKS_AT, WaveHeights, wave_heights
 
 LAND_COUNTS_M = 3.0  # height of land in the smoothed bed: a cliff isn't deeper under water for being high
@@ -50,7 +49,7 @@ class SwellRequest:
     @property
     def step(self) -> int:
         """Every how many samples the maps of height have one."""
-        return max(1, math.ceil((max(self.depth_m.shape) - 1) / (self.heights_side - 1)))
+        return stride(self.depth_m.shape, self.heights_side)
 
 
 @dataclass(frozen=True)

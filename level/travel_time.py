@@ -59,9 +59,14 @@ def plane_time(x, y, heading_deg: float, speed: float) -> np.ndarray:
     return (east * np.asarray(x) + north * np.asarray(y)) / speed
 
 
+def stride(shape: tuple[int, int], most_side: int) -> int:
+    """Every how many samples to take, so that no side has more than `most_side`; at least two are left of each."""
+    return max(1, min(math.ceil((max(shape) - 1) / (most_side - 1)), min(shape) - 1))
+
+
 def strided(depth_m: np.ndarray, cell_m: float, most_side: int) -> tuple[np.ndarray, float]:
-    """Every n-th sample, so that no side has more than `most_side`: 256 for a brush's preview, 1025 for what stays."""
-    step = max(1, math.ceil((max(depth_m.shape) - 1) / (most_side - 1)))
+    """Every n-th sample and how far they are apart: 256 a side for a brush's preview, 1025 for what stays."""
+    step = stride(depth_m.shape, most_side)
     return depth_m[::step, ::step], cell_m * step
 
 
@@ -127,7 +132,7 @@ def _march(depth, slowness, border: Border, omega: float, cell_m: float, order: 
         closed[1, 0] = False
         pace[1, 1] /= math.sqrt(2.0)
         pace[1, 0] = half / NEVER_S
-    found = skfmm.travel_time(np.ma.MaskedArray(front, closed), pace, dx=cell_m, order=order)
+    found = skfmm.travel_time(np.ma.MaskedArray(front, closed), pace, dx=[float(cell_m)] * 2, order=order)
     return np.ma.filled(found, np.nan)[2:, 2:] - early
 
 

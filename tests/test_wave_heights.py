@@ -5,6 +5,7 @@ import pytest
 import swell_beds
 from shorewright.level.dispersion import group_speed, wavenumber
 from shorewright.level.runup import breaker_type, hunt, stockdon, surf_similarity
+from shorewright.level.swell_request import Swell, SwellRequest, felt_bed, solve_request
 from shorewright.level.travel_time import solve
 from shorewright.level.wave_heights import wave_heights
 
@@ -127,3 +128,41 @@ def test_breaker_types_and_runup():
     depth, cell_m = swell_beds.plane_beach()
     up = [wave_heights(depth, solve(depth, cell_m, 10.0, 0.0), h).runup_m[240, 128] for h in (0.5, 2.0)]
     assert up[1] / up[0] == pytest.approx(2.0, rel=0.01)  # grows with the root of the height
+
+
+def test_boulders_are_not_felt_channels_are():
+    """T06: a bed of boulders refracts like one without; a channel between rocks stays open; a plane stays as it is."""
+    depth = np.full((101, 101), 6.0, np.float32)
+    depth[5::10, 5::10] = -1.0
+    assert felt_bed(depth, 1.0, 4.0).min() > 5.0
+    (found,) = solve_request(SwellRequest(depth, 1.0, (Swell(8.0, 0.0),)))
+    assert found.time.meets.max() == 0.0
+    assert found.time.reached.all()
+    rocks = np.full((101, 101), -8.0, np.float32)
+    rocks[:, 49:52] = 3.0
+    assert (felt_bed(rocks, 1.0, 4.0)[:, 49:52] > 0).all()
+    plane = np.linspace(9.0, -1.0, 201, dtype=np.float32)[:, None].repeat(20, axis=1)
+    inner = slice(30, 170)
+    assert np.abs(felt_bed(plane, 1.0, 4.0) - plane)[inner].max() < 1e-3
+
+
+def test_any_bed_has_an_answer():
+    """T06: noise for a bed, land in corners, strips, painted speed, any heading and scale: finite maps, no warning."""
+    rng = np.random.default_rng(5)
+    reached = 0
+    for _ in range(60):
+        shape = tuple(rng.integers(2, 40, 2))
+        bed = rng.normal(0, 1, shape) * rng.uniform(0.1, 30) + rng.uniform(-5, 20)
+        speed = rng.uniform(0.25, 4, shape).astype(np.float32)
+        swell = Swell(float(rng.uniform(2, 25)), float(rng.uniform(-400, 400)), float(rng.uniform(0.05, 6)))
+        cell_m, side, over_m = (rng.choice(values) for values in ([0.1, 1.0, 30.0], [9, 513], [0.0, 4.0]))
+        request = SwellRequest(
+            bed.astype(np.float32), cell_m, (swell,), speed=speed, heights_side=int(side), bed_over_m=over_m
+        )
+        (found,) = solve_request(request)
+        reached += found.time.reached.any()
+        maps = [found.time.seconds, found.time.meets, *(v for v in vars(found.heights).values())]
+        assert all(np.isfinite(field).all() for field in maps)
+        assert all((field >= 0).all() for field in maps[1:])
+        assert found.time.meets.max() <= 1
+    assert reached > 30
