@@ -15,6 +15,7 @@ import numpy as np
 from .dispersion import wavenumber
 
 DEEP = 0.9  # of the reference's phase speed: there the bed doesn't turn the swell yet, and it is the plane wave
+SHALLOW = 0.7  # of it: what has run over that is late, and in deep water behind it the swell comes from elsewhere
 SOURCE_DEPTH = 0.25  # of the deepest border: a side with less than that is a river's mouth, not the sea
 TYPICAL = 90.0  # percentile of a border's wet depths: one hole in it must not set the swell's speed
 ALONG = 1e-9  # component of a direction below which the swell goes along a border, not through it
@@ -101,8 +102,9 @@ def side_phase(k: np.ndarray, ratio: np.ndarray, wet: np.ndarray, border: Border
     across = np.sqrt(np.maximum(k**2 - (border.k * border.along) ** 2, 0.0))
     run = np.concatenate(([0.0], np.cumsum(0.5 * (across[1:] + across[:-1])))) * cell_m
     plane = count * cell_m * border.k * border.across
-    deep = wet & (ratio >= DEEP)
-    starts = deep & ~np.concatenate(([False], deep[:-1]))
+    deep, shallow = wet & (ratio >= DEEP), ~wet | (ratio < SHALLOW)
+    last_deep = np.concatenate(([-1], np.maximum.accumulate(np.where(deep, count, -1))[:-1]))
+    starts = deep & (np.maximum.accumulate(np.where(shallow, count, -1)) > last_deep)
     starts[0] = wet[0]
     anchor = np.maximum.accumulate(np.where(starts, count, -1))
     land = np.maximum.accumulate(np.where(wet, -1, count))

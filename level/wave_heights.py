@@ -20,7 +20,9 @@ from .travel_time import TravelTime, over_land
 BREAKS_AT = 0.78  # height by depth (McCowan 1891)
 STABLE_AT = 0.4  # height by depth that a broken wave falls to (Dally, Dean & Dalrymple 1985)
 DECAY = 0.15  # theirs: part of the excess energy flux lost on a way as long as the water is deep
-FORMS_AGAIN = 1.05  # of the stable height: on an even bed a broken wave only ever comes near it
+FORMS_AGAIN, STAYS_BROKEN = 0.98, 1.08  # of the stable height, which a broken wave on an even bed only ever comes near
+CALMS_OVER = 5.0  # depths of way that it takes to form again
+LEAST_BROKEN = 0.02
 SPREADS_OVER = 0.12  # of the swell's length (sigma): rays know no diffraction
 HEAPED_FROM, HEAPS_SPREAD = 1.5, 3.0  # times the energy from which on it is spread so many times wider
 MOST_GATHERED = 4.0  # times the energy, in the end: at a caustic rays of linear theory know no bound
@@ -36,7 +38,7 @@ class WaveHeights:
 
     height_m: np.ndarray  # crest to trough
     gathered: np.ndarray  # height by that of a swell straight in: refraction and shelter, before breaking
-    broken: np.ndarray  # 1 where the wave is broken
+    broken: np.ndarray  # 0 … 1: broken, falling over a few depths where it forms again
     since_break_s: np.ndarray  # seconds since it broke, 0 where it hasn't
     break_height_m: np.ndarray  # height with which it broke, 0 where it hasn't
     similarity: np.ndarray  # surf similarity at the point where it broke
@@ -125,35 +127,31 @@ class _Surf:
     def step(self, cells: np.ndarray) -> None:
         """One generation of breaking: what of the energy that flows in is broken, and what it loses here."""
         share, from_ = self._upwave(cells)
-        delays = self.rays.delay_s[:, cells]
         share = share * np.maximum(self.unbroken[from_], 1e-9)
-        total = np.maximum(share.sum(axis=0), 1e-12)
-        delay = (share * delays).sum(axis=0) / total
-        flux = self.unbroken[cells] * (share * self.left[from_]).sum(axis=0) / total
-        h, group = self.h[cells], self.group[cells]
+        share /= np.maximum(share.sum(axis=0), 1e-12)
+        delay = (share * self.rays.delay_s[:, cells]).sum(axis=0)
+        way, h, group = delay / self.rays.slowness[cells], self.h[cells], self.group[cells]
+        flux = self.unbroken[cells] * (share * self.left[from_]).sum(axis=0)
         height = self.offshore_m * np.sqrt(flux / group)
-        full = height / (self.breaks_at * h)
+        full, before = height / (self.breaks_at * h), (share * self.fullness[from_]).sum(axis=0)
         hurt = share * self.broken[from_]
-        hurt_total = hurt.sum(axis=0)
-        was = (hurt_total > 0.5 * total) & (height > FORMS_AGAIN * self.stable_at * h)
-        starts = ~was & (full > 1)
-        before = (share * self.fullness[from_]).sum(axis=0) / total
-        hurt_total = np.maximum(hurt_total, 1e-12)
-        since = (hurt * self.since[from_]).sum(axis=0) / hurt_total + delay
+        was = hurt.sum(axis=0)
+        starts = (full > 1) & (was < 0.5)
         part = np.clip((full - 1) / np.maximum(full - before, 1e-6), 0, 1)  # of the way here that it has been broken
-        broken = was | starts
-        self.since[cells] = np.where(starts, part * delay, since) * broken
-        new_similarity = surf_similarity(self.slope[cells], height, self.found.period_s)
-        for state, new in ((self.break_height, height), (self.similarity, new_similarity)):
-            carried = (hurt * state[from_]).sum(axis=0) / hurt_total
-            state[cells] = np.where(starts, new, carried) * broken
-        way = delay / self.rays.slowness[cells] * np.where(starts, part, 1.0)
-        stable = group * (self.stable_at * h / self.offshore_m) ** 2
-        excess = np.maximum(flux - stable, 0.0)
-        lost = excess * -np.expm1(-self.decay * way / h)
-        limit = group * (self.breaks_at * h / self.offshore_m) ** 2
-        flux = np.where(broken, np.minimum(flux - lost, limit), flux)
-        self.left[cells] = flux / np.maximum(self.unbroken[cells], 1e-12)
+        whole = np.clip((height / (self.stable_at * h) - FORMS_AGAIN) / (STAYS_BROKEN - FORMS_AGAIN), 0, 1)
+        calmed = (1 - whole) * -np.expm1(-way / (CALMS_OVER * h))
+        broken = np.where(full > 1, 1.0, was * (1 - calmed))
+        broken[broken < LEAST_BROKEN] = 0.0
+        new = part * delay, height, surf_similarity(self.slope[cells], height, self.found.period_s)
+        for state, begun, grows in zip(
+            (self.since, self.break_height, self.similarity), new, (delay, 0, 0), strict=True
+        ):
+            carried = (hurt * state[from_]).sum(axis=0) / np.maximum(was, 1e-12) + grows
+            state[cells] = np.where(starts, begun, carried) * (broken > 0)
+        stable, limit = (group * (ratio * h / self.offshore_m) ** 2 for ratio in (self.stable_at, self.breaks_at))
+        ran = np.where(starts, part, broken) * way
+        lost = np.maximum(flux - stable, 0.0) * -np.expm1(-self.decay * ran / h)
+        self.left[cells] = np.minimum(flux - lost, limit) / np.maximum(self.unbroken[cells], 1e-12)
         self.fullness[cells], self.broken[cells], self.starts[cells] = full, broken, starts
 
     def maps(self, depth_m: np.ndarray, runup: str) -> WaveHeights:

@@ -71,7 +71,8 @@ def test_waves_form_again_behind_a_bar():
     assert 220 < starts[0] < 300
     assert 450 < starts[1] < 560
     trough = (y > 345) & (y < 400)
-    assert surf.broken[trough, 4].max() == 0
+    assert surf.broken[trough, 4].max() < 0.5
+    assert surf.broken[(y > 390) & (y < 440), 4].max() < 0.15
     heights = surf.break_height_m[np.flatnonzero(surf.break_point[:, 4]), 4]
     assert heights[1] < 0.7 * heights[0]
 
