@@ -2,46 +2,59 @@
 
     made = arrival(level, time_s)   # None while waves keep the clock of the depth alone
 
-A still picture solves at once and depends on the level and the time alone. An editor sets `level.solver`: an object whose
-`answer(asked)` returns the map when it has one of just these waters, else the last good one, `settled` False, or None.
+A still picture solves at once and depends on the level and the time alone. An editor sets `level.solver`: an object
+whose `answer(asked)` returns the map when it has one of just these waters, else the last good one, `settled` False, or
+None.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from typing import Protocol
 
 import numpy as np
 from scipy import ndimage
 
-from .arrival_map import SWELLS, ArrivalMap
-from .gerstner import Fronts
+from .arrival_map import BLOCKS, SWELLS, ArrivalMap
+from .dispersion import group_speed, wavenumber
+from .gerstner import GRAVITY, Fronts
 from .level import Level
 from .sea_keys import fronts_at
 from .settings import Shore
 from .shore import shore_map
+from .swell_request import Swell, SwellRequest, SwellResult, solve_request
+from .travel_time import stride
 
-MOST_SIDE = 513  # texels a side of the map that is drawn with
+MOST_SIDE, LIVE_SIDE = 513, 257  # texels a side of the map, and of that under the brush
+MOST_GAIN = 3.0  # of a swell against its height offshore
+SHORE_SMOOTH_M = 3.0  # sigma of the time at the shoreline
 KEPT = 4  # maps that a level keeps: of the weathers that follow each other
 
 
 @dataclass(frozen=True)
 class Asked:
-    """All that a map follows from; `depth_m` float32 `(rows, cols)`, row 0 south, below 0 on land.
+    """All that a map follows from; two of one `key` are the same.
 
-    Two of one `key` are the same. `heading_deg` is where swells go, `height_m` the lead's offshore.
+    Under the brush no heights are asked for: those of the last whole map go on.
     """
 
     key: tuple
-    depth_m: np.ndarray = field(compare=False, repr=False)
-    cell_m: float
-    period_s: tuple[float, ...]
-    heading_deg: tuple[float, ...]
-    height_m: tuple[float, ...]
-    shore_height_m: float
-    least_depth_m: float
-    breaker: float
+    request: SwellRequest
+    lead_height_m: float  # of the shore waves where they stand highest
+
+    def kept(self) -> Asked:
+        """With arrays of its own, which no later edit of the level reaches."""
+        return replace(self, request=self.request.kept())
+
+    @property
+    def answer_bytes(self) -> int:
+        """Bytes of the arrays of its answer."""
+        return BLOCKS * 4 * 4 * self.request.depth_m.size + (1 << 12)
+
+    def answered(self) -> ArrivalMap:
+        """The map, worked out now."""
+        return arrival_map(self, solve_request(self.request))
 
 
 class Solver(Protocol):
@@ -68,26 +81,31 @@ def period_s(fronts: Fronts) -> tuple[float, ...]:
     return tuple(float(2 * math.pi / omega) for omega in fronts.omega)
 
 
-def asked_of(level: Level, time_s: float, most_side: int = MOST_SIDE) -> Asked:
-    """What the level's map at a time follows from; depth with a stride that keeps it within `most_side`."""
+def offshore_height_m(break_height_m: float, period_s: float, depth_m: float, breaker: float) -> float:
+    """Height over a depth of a swell that comes straight in and breaks with a height: its energy flux is the same there
+    and where the depth is that height over `breaker` (long wave)."""
+    k = float(wavenumber(period_s, depth_m))
+    group_mps = float(group_speed(period_s, depth_m)) if k else 0.0
+    return math.sqrt(break_height_m**2.5 * math.sqrt(GRAVITY / breaker) / max(group_mps, 1e-6))
+
+
+def asked_of(level: Level, time_s: float) -> Asked:
+    """What the level's map at a time follows from: coarse and of times alone under the brush, else with heights."""
     bed, fronts, settings = shore_map(level), swell(level, time_s), level.settings
-    stride = max(1, math.ceil((max(bed.packed.shape[:2]) - 1) / (most_side - 1)))
-    cell_m = bed.cell_m * stride
+    side = LIVE_SIDE if level.live else MOST_SIDE
+    step = stride(bed.packed.shape[:2], side)
+    depth = bed.packed[::step, ::step, 1]
     periods, timing = period_s(fronts), settings.timing
-    headings = tuple(float(np.degrees(np.arctan2(e, n)) % 360) for e, n in zip(fronts.east, fronts.north))
-    heights = tuple(float(2 * a) for a in fronts.amplitude_m)
-    key = (bed.revision, bed.key[0], bed.whole, level.layer_revision("height"), stride, settings.shore.smooth_m, periods,
-           headings, heights, settings.shore.height_m, timing.least_depth_m, timing.breaker)  # fmt: skip
-    depth = _depth(level, bed.packed[..., 1], bed.cell_m, stride)
-    return Asked(key, depth, cell_m, periods, headings, heights, settings.shore.height_m, timing.least_depth_m,
-                 timing.breaker)  # fmt: skip
-
-
-def _depth(level: Level, depth: np.ndarray, cell_m: float, stride: int) -> np.ndarray:
-    """Depth without pebbles, every `stride`th sample; kept with the level while it is the same."""
-    sigma = max(level.settings.shore.smooth_m / cell_m, 0.5 * (stride - 1))
-    smooth = ndimage.gaussian_filter(depth, sigma, mode="nearest", truncate=3) if sigma > 0.05 else depth
-    return np.ascontiguousarray(smooth[::stride, ::stride], np.float32)
+    lead_m = offshore_height_m(settings.shore.height_m, periods[0], max(float(depth.max()), 1.0), timing.breaker)
+    heights = (0.0,) * SWELLS if level.live else (lead_m, *(float(2 * a) for a in fronts.amplitude_m[1:]))
+    headings = (float(np.degrees(np.arctan2(e, n)) % 360) for e, n in zip(fronts.east, fronts.north))
+    swells = tuple(Swell(*one) for one in zip(periods, headings, heights, strict=True))
+    key = (bed.revision, bed.key[0], bed.whole, step, swells, settings.shore.height_m, timing)
+    request = SwellRequest(
+        depth, bed.cell_m * step, swells, least_depth_m=timing.least_depth_m, breaks_at=timing.breaker,
+        heights_side=MOST_SIDE,
+    )  # fmt: skip
+    return Asked(key, request, settings.shore.height_m)
 
 
 def arrival(level: Level, time_s: float) -> ArrivalMap | None:
@@ -95,45 +113,45 @@ def arrival(level: Level, time_s: float) -> ArrivalMap | None:
     if not level.settings.timing.travels:
         return None
     asked = asked_of(level, time_s)
-    solver: Solver | None = level.derived.get("solver")
-    if solver is not None:
-        return solver.answer(asked)
+    if level.solver is not None:
+        return level.solver.answer(asked)
     kept: dict = level.derived.setdefault("arrivals", {})
     if asked.key not in kept:
-        kept[asked.key] = solved(asked)
+        kept[asked.key] = asked.answered()
         for key in list(kept)[:-KEPT]:
             del kept[key]
     return kept[asked.key]
 
 
-def solved(asked: Asked) -> ArrivalMap:
-    """Work out a map now."""
-    from .travel_time import solve
-    from .wave_heights import wave_heights
-
-    rows, cols = asked.depth_m.shape
+def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
+    """The map that shader and twin read, of what was solved; heights 0 where none were asked for."""
+    request = asked.request
+    rows, cols = request.depth_m.shape
     times, heights = (np.zeros((rows, cols, 4), np.float32) for _ in range(2))
     plane = np.zeros((SWELLS, 2))
-    for i in range(SWELLS):
-        way = solve(asked.depth_m, asked.cell_m, asked.period_s[i], asked.heading_deg[i],
-                    least_depth_m=asked.least_depth_m)  # fmt: skip
-        times[..., i], plane[i] = way.seconds, way.plane
-        high = wave_heights(asked.depth_m, asked.cell_m, way, asked.height_m[i], breaker=asked.breaker)
-        heights[..., 1 + i] = high.gain
+    for i, (one, swell_i) in enumerate(zip(found, request.swells, strict=True)):
+        times[..., i] = one.time.seconds
+        plane[i] = one.time.plane(1.0, 0.0), one.time.plane(0.0, 1.0)
+        if one.heights is None:
+            continue
+        # where two fronts meet the phase jumps from one to the other: there the wave lies down
+        stands = np.where(one.time.reached, 1.0 - np.clip(one.time.meets, 0, 1), 0.0)
+        heights[..., 1 + i] = np.clip(one.heights.height_m / swell_i.height_m, 0, MOST_GAIN) * stands
         if i == 0:
-            heights[..., 0] = high.height_m / max(asked.shore_height_m, 1e-6)
-            times[..., 3] = _at_the_shore(asked, way.seconds, way.reached)
-    return ArrivalMap(np.concatenate([times, heights]), asked.cell_m, asked.period_s, plane)
+            heights[..., 0] = one.heights.height_m / max(asked.lead_height_m, 1e-6) * stands
+    times[..., 3] = _at_the_shore(request, times[..., 0], found[0].time.reached)
+    periods = tuple(one.period_s for one in request.swells)
+    return ArrivalMap(np.concatenate([times, heights]), request.cell_m, periods, plane)
 
 
-def _at_the_shore(asked: Asked, seconds: np.ndarray, reached: np.ndarray) -> np.ndarray:
+def _at_the_shore(request: SwellRequest, seconds: np.ndarray, reached: np.ndarray) -> np.ndarray:
     """When waves meet the shoreline that is nearest, in seconds; smooth, or two shores as near would meet in a step."""
-    land = asked.depth_m <= 0
+    land = request.depth_m <= 0
     line = reached & ndimage.binary_dilation(land) & ~land
     if not line.any():
         return seconds
     row, col = ndimage.distance_transform_edt(~line, return_distances=False, return_indices=True)
-    return ndimage.gaussian_filter(seconds[row, col], 3.0 / asked.cell_m, mode="nearest", truncate=3)
+    return ndimage.gaussian_filter(seconds[row, col], SHORE_SMOOTH_M / request.cell_m, mode="nearest", truncate=3)
 
 
 def arrival_uniforms(made: ArrivalMap | None, share: float) -> dict:

@@ -1,7 +1,7 @@
 """The moments at which swells arrive, as a map that shader and twin read alike (T06).
 
-Crest n of swell i passes a place at `seconds[i] + n · period_s[i]`. The twin of `at` is shaders/arrival.glsl. A quadratic
-B-spline over the texels: the way of a wave is the map's gradient, and that must not jump from texel to texel.
+Crest n of swell i passes a place at `seconds[i] + n · period_s[i]`. The twin of `at` is shaders/arrival.glsl: a
+quadratic B-spline over the texels, for the way of a wave is the map's gradient, and that must not jump between them.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ BLOCKS = 2
 class Passing:
     """At some points, duals: `swells` in cycles of their periods, `lead_height` against where it stands highest.
 
-    `gains` are the swells' heights against those offshore; `shore` is when the lead meets the shoreline near by, cycles.
+    `gains` are the swells' heights against those offshore; `shore` is when the lead meets the shoreline near by.
     """
 
     swells: tuple[Dual, ...]

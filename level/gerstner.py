@@ -106,8 +106,8 @@ def phase_noise(sea: Sea, fronts: Fronts, i: int, x: np.ndarray, y: np.ndarray) 
 
 
 def travel(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list[Dual], passing: Passing) -> Deformed:
-    """`deform` for the low group on its way over the bed (T06): phases are times of arrival, in cycles, and crests go the
-    way in which those grow. `passing` is that of the point."""
+    """`deform` for the low group on its way over the bed (T06): phases are times of arrival, in cycles, and crests go
+    the way in which those grow. `passing` is that of the point."""
     dx, dy, dz = Dual(0.0), Dual(0.0), Dual(0.0)
     for i, (cycles, gain) in enumerate(zip(passing.swells, passing.gains, strict=True)):
         steep = np.hypot(cycles.dx, cycles.dy)

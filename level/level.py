@@ -20,6 +20,7 @@ from .params import replace
 from .settings import Settings
 
 if TYPE_CHECKING:
+    from .arrival import Solver
     from .meshes import Mesh
 
 BAND = 32  # rows of a level that are looked at together when the changed part of it is put into rectangles
@@ -40,6 +41,7 @@ class Level:
         ] = {}  # by name (meshes.py); kept while the level is open, saved where a prop names it
         self.skies: dict[str, np.ndarray] = {}  # of shots, likewise (shots.py)
         self.georeference = georeference or {}
+        self.solver: Solver | None = None  # lent by an editor, so that no window waits for an arrival map (arrival.py)
         self.revision = 0
         self.settings_revision = 0
         self.objects_revision = 0

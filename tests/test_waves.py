@@ -262,7 +262,7 @@ def test_settings_out_of_range_are_refused_in_one_sentence():
 @pytest.mark.parametrize("source", ["depth", "travel_time", "blend"])
 @pytest.mark.parametrize("t", [0.0, DAYS])
 def test_shader_and_twin_agree_within_a_millimetre(ctx, t, source):
-    """D30, T06: 10,000 random points through transform feedback, at t = 0 and after a week, in every source of phase."""
+    """D30, T06: 10,000 points through transform feedback, at t = 0 and after a week, in every source of phase."""
     level = make_beach(rows=513, cols=769, cell_m=2.0, slope=0.03, rough_m=0.15)
     level.set("timing.source", source)
     level.set("shore.stagger", 0.4)
