@@ -17,6 +17,7 @@ from ..level.objects import Camera
 from ..level.sun import light_angles
 from ..renderer.show import Inset, Overlays
 from .actions import ACTIONS, Action
+from .arrival_lender import ArrivalLender
 from .camera_control import between
 from .messages import Messages
 from .preferences import Preferences
@@ -69,6 +70,9 @@ class Editor:
         self.shall_exit = False
         self.asked: list[str] = []  # requests for dialogs, oldest first
         self.picture_stats = ""
+        self.arrivals = ArrivalLender()  # when waves come, worked out beside the window (T06)
+        self.arrivals_seen = 0  # how often a newer map came
+        session.level.solver = self.arrivals
         self._glide: Glide | None = None
         self._last = time.monotonic()
         self._probed: tuple[Any, Probe | None] = (None, None)
@@ -81,6 +85,9 @@ class Editor:
         self._glide = None
         if before is not session:
             before.close()
+            before.level.solver = None
+            self.arrivals.forget()
+            session.level.solver = self.arrivals
         if session.recovery is None:
             session.keep_log()
         if session.path:
@@ -142,6 +149,10 @@ class Editor:
         if self._glide:
             self.session.camera = self._glide.camera(now)
             self._glide = None if self._glide.over(now) else self._glide
+        if self.arrivals.look():
+            self.arrivals_seen += 1
+            if self.arrivals.failure:
+                self.messages.warn(self.arrivals.failure)
         while self.session.notes:
             self.messages.tell(self.session.notes.pop(0))
         while self.session.requests:

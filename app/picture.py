@@ -106,7 +106,7 @@ class Picture:
         level = session.level
         looks = (session.camera, session.view, session.show, editor.overlays, editor.quality)
         arrived = self.renderer.generated.arrived if self.renderer is not None else 0  # finer textures
-        return (id(level), level.revision, session.clock.time_s, looks, arrived, size)
+        return (id(level), level.revision, session.clock.time_s, looks, arrived, editor.arrivals_seen, size)
 
     def _sharper(self, size: tuple[int, int]) -> tuple[int, int] | None:
         """The next larger size for a picture that stands still; None when this computer would take too long over it."""

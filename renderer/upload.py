@@ -97,9 +97,9 @@ class Uploader:
 
     def arrival(self, made: ArrivalMap):
         """When swells arrive (T06), RGBA32F: times below, heights above."""
-        if self.seen.get("arrival") is not made:
+        if self.seen.get("arrival") is not made.packed:
             self._whole("u_arrival", made.packed, "f4")
-            self.seen["arrival"] = made
+            self.seen["arrival"] = made.packed
         return self.textures["u_arrival"]
 
     def layer(self, level: Level, name: str):
