@@ -12,7 +12,8 @@ from hypothesis import HealthCheck, settings
 # What macOS offers: everything must work there (design, GL 4.1). Set before the first context is made.
 os.environ.setdefault("MESA_GL_VERSION_OVERRIDE", "4.1FC")
 os.environ.setdefault("MESA_GLSL_VERSION_OVERRIDE", "410")
-os.environ.setdefault("LP_NUM_THREADS", "2")
+# Processes that share the work draw with a thread each.
+os.environ.setdefault("LP_NUM_THREADS", "1" if "PYTEST_XDIST_WORKER" in os.environ else "2")
 
 # No test may fail by timing, and a failure must come again the next time.
 settings.register_profile("steady", deadline=None, derandomize=True, suppress_health_check=[HealthCheck.too_slow])
@@ -21,11 +22,19 @@ settings.load_profile("steady")
 DATA = Path(__file__).parents[2] / "shared" / "data"
 
 
+def pytest_xdist_auto_num_workers(config) -> int:
+    """Processes that `make test` shares its work among: each has OpenGL, textures and levels of its own in memory."""
+    return min(os.cpu_count() or 1, 4)
+
+
 @pytest.fixture(scope="session", autouse=True)
 def own_cache(tmp_path_factory):
     """What is kept between starts goes to a folder of this run: no test reads or writes the user's."""
     before = os.environ.get("SHOREWRIGHT_CACHE")
-    os.environ["SHOREWRIGHT_CACHE"] = str(tmp_path_factory.mktemp("made"))
+    base = tmp_path_factory.getbasetemp()
+    made = (base.parent if "PYTEST_XDIST_WORKER" in os.environ else base) / "made"  # all processes share one
+    made.mkdir(exist_ok=True)
+    os.environ["SHOREWRIGHT_CACHE"] = str(made)
     yield
     if before is None:
         del os.environ["SHOREWRIGHT_CACHE"]
