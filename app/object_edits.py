@@ -9,6 +9,7 @@ from pydantic import ValidationError
 from ..level import BadInput
 from ..level.objects import OBJECT, OBJECT_KINDS, Placed
 from ..level.params import replace, sentence
+from ..level.wave_lists import refuse_crowd
 from . import script as words
 from .prop_edits import Props
 
@@ -28,6 +29,7 @@ class Objects(Props):
         thing = checked_object(thing)
         if merge and self.level.objects.get(thing.id) == thing:
             return
+        refuse_crowd(self.level, thing)
         self._end_stroke()
         settings = replace(self.level.settings, "water.table", thing.id) if use else None
         with self._edit(words.Place(object=thing, use=use), merge):

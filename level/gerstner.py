@@ -104,8 +104,8 @@ def phase_noise(sea: Sea, fronts: Fronts, i: int, x: np.ndarray, y: np.ndarray) 
     return Dual(gain * (0.5 * (one[0] + two[0]) - 0.5), steep * crest_x, steep * crest_y)
 
 
-def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list[Dual]) -> Deformed:
-    """Add one group to a point; gradients go through the chain rule (H29); `noises`, by front: `phase_noise` there."""
+def shift(point: Deformed, fronts: Fronts, t: float, noises: list[Dual]) -> tuple[Dual, Dual, Dual]:
+    """What one group of full weight adds to world x, y and height; gradients go through the chain rule (H29)."""
     dx, dy, dz = Dual(0.0), Dual(0.0), Dual(0.0)
     for i in range(len(fronts.length_m)):
         east, north, k = fronts.east[i], fronts.north[i], 2 * np.pi / fronts.length_m[i]
@@ -122,4 +122,14 @@ def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list
             fronts.amplitude_m[i] * sin, fronts.amplitude_m[i] * cos * slope_x, fronts.amplitude_m[i] * cos * slope_y
         )
         dx, dy, dz = dx + lateral * east, dy + lateral * north, dz + rise
-    return Deformed(point.x + dx * weight, point.y + dy * weight, point.z + dz * weight)
+    return dx, dy, dz
+
+
+def shifted(point: Deformed, by: tuple[Dual, Dual, Dual], weight: Dual) -> Deformed:
+    """A point moved by a pass."""
+    return Deformed(*(old + new * weight for old, new in zip((point.x, point.y, point.z), by, strict=True)))
+
+
+def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list[Dual]) -> Deformed:
+    """Add one group to a point; `noises`, by front: `phase_noise` there."""
+    return shifted(point, shift(point, fronts, t, noises), weight)

@@ -4,7 +4,7 @@ import numpy as np
 from shorewright.level.beach_map import beach_map
 from shorewright.level.noise import lattice
 from shorewright.level.shore import shore_map
-from shorewright.level.waves import wave_uniforms
+from shorewright.level.waves import wave_defines, wave_uniforms
 from shorewright.renderer.program import resolve
 from shorewright.renderer.uniforms import set_uniforms
 
@@ -20,9 +20,13 @@ void main() {
 """
 
 
-def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict):
+def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict, defines=()):
     """Run a vertex shader over points `in_at` (n, 2), read back its varyings (floats by name), release `textures`."""
-    text = "#version 410 core\n" + resolve("points", {"points": source}).text
+    text = (
+        "#version 410 core\n"
+        + "".join(f"#define {name}\n" for name in defines)
+        + resolve("points", {"points": source}).text
+    )
     program = ctx.program(vertex_shader=text, varyings=list(varyings))
     for unit, (name, texture) in enumerate(textures.items()):
         texture.filter = (ctx.NEAREST, ctx.NEAREST)
@@ -51,4 +55,5 @@ def feedback(ctx, level, t, at):
         "u_variety": ctx.texture((64, 64), 1, lattice(level.settings.level.seed).tobytes(), dtype="f4"),
         "u_beach": ctx.texture(sand.shape[1::-1], 2, sand.tobytes(), dtype="f2", alignment=1),
     }
-    return transform(ctx, SEA, at, {"v_position": 4, "v_masks": 4, "v_sheet": 4}, textures, wave_uniforms(level, t))
+    varyings = {"v_position": 4, "v_masks": 4, "v_sheet": 4}
+    return transform(ctx, SEA, at, varyings, textures, wave_uniforms(level, t), wave_defines(level))

@@ -25,31 +25,48 @@ vec2 crest_bend(float cycles) {
 
 // How far front i is ahead at undeformed xy, in wavelengths: two lengths in the golden ratio along its crests, constant
 // along its way, so that the crests bend and none changes its speed; a dual (H07).
-vec3 phase_noise(int i, vec2 before) {
-    vec2 crest = vec2(u_front_size[i].w, -u_front_size[i].z), turn = u_front_turn[i];
+vec3 phase_noise(int i, vec4 size, vec2 before) {
+    vec2 crest = vec2(size.w, -size.z), turn = u_front_turn[i];
     float along = 0.5 * dot(before, crest) / u_phase_noise_m;
     vec2 noise = crest_bend(along + turn.y) + crest_bend(0.618034 * along - turn.y) * vec2(1.0, 0.618034);
     return turn.x * vec3(0.5 * noise.x - 0.5, 0.25 * noise.y / u_phase_noise_m * crest);
 }
 
+// Adds what a front moves a point; `first` that of its group.
+void add_front(int i, vec4 way, vec4 size, int first, Deformed point, vec2 before, inout vec3 dx, inout vec3 dy,
+               inout vec3 dz) {
+    if (first == HIGH_FRONTS) {
+        way.z += swell_turn[i - first];
+        size.xy *= swell_gain[i - first];
+    }
+    // Phases are kept in cycles and wrapped, so that float32 is as good at 7 days as at 0.
+    vec3 noise = phase_noise(i, size, before);
+    float theta = TURN * fract(dot(way.xy, vec2(point.x.x, point.y.x)) - way.z + noise.x);
+    float s = sin(theta), c = cos(theta);
+    vec2 slope = way.w * (size.z * point.x.yz + size.w * point.y.yz) + TURN * noise.yz;
+    vec3 lateral = size.y * vec3(c, -s * slope);
+    dx += lateral * size.z;
+    dy += lateral * size.w;
+    dz += size.x * vec3(s, c * slope);
+}
+
+#ifdef WAVE_REGIONS
+#include "level/wave_regions.glsl"
+#endif
+#ifdef WAVE_OBJECTS
+#include "level/wave_objects.glsl"
+#endif
+
 Deformed gerstner_group(Deformed point, int first, int end, vec3 weight, vec2 before) {
     vec3 dx = vec3(0.0), dy = vec3(0.0), dz = vec3(0.0);
-    for (int i = first; i < end; ++i) {
-        vec4 way = u_front_way[i], size = u_front_size[i];
-        if (first == HIGH_FRONTS) {
-            way.z += swell_turn[i - first];
-            size.xy *= swell_gain[i - first];
-        }
-        // Phases are kept in cycles and wrapped, so that float32 is as good at 7 days as at 0.
-        vec3 noise = phase_noise(i, before);
-        float theta = TURN * fract(dot(way.xy, vec2(point.x.x, point.y.x)) - way.z + noise.x);
-        float s = sin(theta), c = cos(theta);
-        vec2 slope = way.w * (size.z * point.x.yz + size.w * point.y.yz) + TURN * noise.yz;
-        vec3 lateral = size.y * vec3(c, -s * slope);
-        dx += lateral * size.z;
-        dy += lateral * size.w;
-        dz += size.x * vec3(s, c * slope);
-    }
+    for (int i = first; i < end; ++i) add_front(i, u_front_way[i], u_front_size[i], first, point, before, dx, dy, dz);
+#ifdef WAVE_REGIONS
+    blend_regions(first, end, point, before, dx, dy, dz);
+#endif
+#ifdef WAVE_OBJECTS
+    ivec2 objects = first == 0 ? ivec2(0, u_wave_ends.x) : u_wave_ends;
+    add_wave_objects(objects.x, objects.y, point.x, point.y, before, dx, dy, dz);
+#endif
     return Deformed(point.x + d_mul(dx, weight), point.y + d_mul(dy, weight), point.z + d_mul(dz, weight));
 }
 
