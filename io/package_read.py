@@ -86,7 +86,7 @@ def _read(folder: Path, notes: list[str]) -> tuple[Level, Saved]:
     meshes = {name: signature(files[name]) for name in files if name in level.meshes}
     files = {name: inside(folder, sky_file_of(name), record) for name in wanted_skies(level)}
     read_skies(level, files, notes)
-    notes += left_out(level)
+    notes += left_out(level.objects.values())
     skies = {name: signature(files[name]) for name in files if name in level.skies}
     base = level.layers["height"].base
     return level, Saved(folder.resolve(), level.revision, base, hashes, signatures, meshes, skies)

@@ -213,8 +213,8 @@ class WeatherKey(Placed):
 
 
 _KINDS = (
-    Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaveObject, SwellRegion, WaterTable, PointLight, Prop,
-    Hit, Mover, WeatherKey, Shot,
+    Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaveObject, SwellRegion, WaterTable, PointLight,
+    Prop, Hit, Mover, WeatherKey, Shot,
 )  # fmt: skip
 OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]

@@ -115,8 +115,10 @@ def refuse_crowd(level: Level, thing: object) -> None:
             raise BadInput(f"{_too_many(at)} with {thing.id}; the weakest there is {weakest.id}, which might go first")
 
 
-def left_out(level: Level) -> tuple[str, ...]:
-    """One sentence for every wave object or region of swell that makes no waves."""
-    regions = sorted(o.id for o in level.objects.values() if isinstance(o, SwellRegion))
+def left_out(objects) -> tuple[str, ...]:
+    """One sentence for each of a level's wave objects and regions of swell that makes no waves."""
+    objects = sorted(objects, key=lambda o: o.id)
+    regions = [o.id for o in objects if isinstance(o, SwellRegion)]
     told = f"a level has at most {MOST_REGIONS} regions of swell: "
-    return (*counted(level)[1], *(f"{told}{name} is left out" for name in regions[MOST_REGIONS:]))
+    waves = _counted(tuple(o for o in objects if isinstance(o, WaveObject)))[1]
+    return (*waves, *(f"{told}{name} is left out" for name in regions[MOST_REGIONS:]))

@@ -12,7 +12,13 @@ from shorewright.level.objects import SwellRegion, WaveObject
 from shorewright.level.patches import PATCH_M
 from shorewright.level.wave_lists import MOST_ON_PATCH, hectares, patch_lists
 from shorewright.level.wave_objects import (
-    HIGH, LOW, circle_weight, front_coordinate, object_fronts, object_shift, wave_pass,
+    HIGH,
+    LOW,
+    circle_weight,
+    front_coordinate,
+    object_fronts,
+    object_shift,
+    wave_pass,
 )  # fmt: skip
 from shorewright.level.wave_regions import ahead, region_fronts
 from shorewright.level.waves import largest_height_m, sea_at, surface_at, wave_defines
@@ -133,12 +139,12 @@ def test_lists_of_neighbouring_patches_agree_at_their_border():
     part = np.linspace(0, PATCH_M, 400)
     compared = 0
     for col, row in [(c, r) for c in range(5) for r in range(4)]:
-        here = set(t.id for t in lists.get((col, row), ()))
+        here = {t.id for t in lists.get((col, row), ())}
         for other, x, y in (
             ((col - 1, row), np.full(400, col * PATCH_M), row * PATCH_M + part),
             ((col, row - 1), col * PATCH_M + part, np.full(400, row * PATCH_M)),
         ):
-            for name in here ^ set(t.id for t in lists.get(other, ())):
+            for name in here ^ {t.id for t in lists.get(other, ())}:
                 thing = next(t for t in things if t.id == name)
                 assert np.all(circle_weight(thing, x, y).v == 0)
                 compared += 1

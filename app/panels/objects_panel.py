@@ -145,6 +145,8 @@ def _selected(editor: Editor, thing: Placed) -> None:
         _mesh(editor, thing)
     if thing.kind == "shot":
         _sky(editor, thing)
+    if thing.kind == "wave":
+        _fit(editor)
     param_widgets.draw_all(
         list(fields(thing.kind)),
         lambda name: getattr(thing, name),
@@ -164,6 +166,16 @@ def _name(editor: Editor, thing: Placed) -> None:
     if entered:
         editor.attempt(editor.session.rename, thing.id, _state["name"])
         _state["renaming"] = ""
+
+
+def _fit(editor: Editor) -> None:
+    """Both ways to fit a wave object to the shore."""
+    for name, text in (("wave.fit", "Fit to the bay"), ("wave.fit_place", "Fit and move")):
+        if imgui.button(theme.titled("water", text, name)):
+            editor.do(ACTIONS[name])
+        param_widgets.tooltip(f"{ACTIONS[name].title}: its fronts come in along the shore within its circle.")
+        imgui.same_line()
+    imgui.new_line()
 
 
 def _mesh(editor: Editor, thing: Placed) -> None:
