@@ -2,16 +2,21 @@
 
 import numpy as np
 import window_drive
+from imgui_bundle import hello_imgui
 from shorewright.app import wave_gizmo
 from shorewright.app.camera_control import to_screen
 from shorewright.app.tools import SELECT
+from shorewright.level.objects import Camera
 from window_drive import CTRL, Hands, imgui, shown
 
 
 def wave_object(hands: Hands) -> None:
     """Drop a wave object by a click, drag its marker, turn it with Ctrl, draw its handles, fit it to the shore."""
     ctx, session = hands.ctx, hands.session
+    # a busy computer takes longer than the engine has patience for
+    imgui.test_engine.get_io(hello_imgui.get_imgui_test_engine()).config_watchdog_kill_test = 500.0
     hands.key(imgui.Key.space)
+    hands.editor.move_camera(Camera(id="high", x=110.0, y=-40.0, z=90.0, yaw_deg=0.0, pitch_deg=-42.0))
     ctx.menu_click("//##MainMenuBar/Place/Drop: wave object")
     hands.until(lambda: session.selected, lambda: hands.drag((0.5, 0.6)))
     name = session.selected
@@ -19,7 +24,7 @@ def wave_object(hands: Hands) -> None:
     session.alter(name, {"radius_m": 30.0, "length_m": 9.0, "curvature": 0.5, "yaw_deg": 0.0})
     hands.until(lambda: session.tool == SELECT, lambda: hands.key(imgui.Key.v))
     session.selected = name
-    hands.settle()
+    ctx.yield_(3)
 
     def thing():
         return session.level.objects[name]
