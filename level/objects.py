@@ -81,9 +81,9 @@ class WaveObject(Placed):
     yaw_deg: float = param(0.0, -360, 360, "°", "Where its fronts go to, clockwise from north.")
     radius_m: float = param(90.0, 5, 2000, "m", "Where its waves end.", soft=(20, 300))
     falloff: float = param(0.6, 0, 1, "", "Share of the radius over which they fade.")
-    amplitude_m: float = param(0.7, 0, 8, "m", "Their height over the still sea.", soft=(0, 2))
-    lateral: float = param(0.7, 0, 1, "", "How sharply crests are drawn together.")
-    length_m: float = param(26.0, 1, 600, "m", "Their wavelength.", soft=(4, 120))
+    amplitude_m: float = param(0.8, 0, 8, "m", "Their height over the still sea.", soft=(0, 2))
+    lateral: float = param(0.8, 0, 1, "", "How sharply crests are drawn together.")
+    length_m: float = param(28.0, 1, 600, "m", "Their wavelength.", soft=(4, 120))
     speed: float = param(1.0, 0, 4, "×", "Their speed against deep-water dispersion.", soft=(0.25, 2))
     curvature: float = param(
         0.6, -1, 1, "", "How fronts bend: 1 like rings from a point behind, 0 straight, −1 closing in on one ahead."

@@ -26,6 +26,7 @@ SPREAD_DEG = (0.0, 7.0, -7.0)
 LENGTHS = (1.0, 0.79, 1.23)
 CENTRE = 1.2  # the centre of a wholly curved front is that many radii off: outside the circle, where q has no kink
 LEAST_FALLOFF = 0.05
+FULL_DEPTH = 3.0  # in that many amplitudes of water over `sea.deep_start_m` an object's waves stand whole
 
 
 @dataclass(frozen=True)
@@ -118,14 +119,21 @@ def object_shift(thing: WaveObject, seed: int, t: float, x: Dual, y: Dual) -> tu
     return dx, dy, dz
 
 
-def objects_shift(level: Level, which: int, t: float, x: Dual, y: Dual, before_x, before_y):
-    """What all objects of a pass add to world x, y and height, weighted; three duals."""
-    total = [Dual(0.0), Dual(0.0), Dual(0.0)]
+def full_depth_m(sea: Sea, thing: WaveObject) -> float:
+    """Depth from which an object's waves stand whole: coastal ones come in nearer than those of the open sea (D11)."""
+    return sea.deep_start_m + max(FULL_DEPTH * thing.amplitude_m, 0.2)
+
+
+def objects_shift(level: Level, which: int, t: float, x: Dual, y: Dual, before_x, before_y, bed: dict[str, Dual]):
+    """What all objects of a pass add to world x, y and height, weighted; `bed` at the undeformed points."""
+    total, sea = (Dual(0.0), Dual(0.0), Dual(0.0)), level.settings.sea
     for thing in in_passes(level)[which]:
         weight = circle_weight(thing, before_x, before_y)
         if np.any(weight.v > 0):
+            depth = step(sea.deep_start_m, full_depth_m(sea, thing), bed["smoothed"])
+            weight = weight * depth * bed["sea"] * float(sea.on)
             moved = object_shift(thing, level.settings.level.seed, t, x, y)
-            total = [old + new * weight for old, new in zip(total, moved, strict=True)]
+            total = tuple(old + new * weight for old, new in zip(total, moved, strict=True))
     return total
 
 
@@ -141,12 +149,12 @@ def object_uniforms(level: Level, t: float) -> dict:
     things = [*passes[HIGH], *passes[LOW]]
     if not things:
         return {}
-    place, bend = np.zeros((MOST_OBJECTS, 4), np.float32), np.zeros((MOST_OBJECTS, 2), np.float32)
+    place, bend = np.zeros((MOST_OBJECTS, 4), np.float32), np.zeros((MOST_OBJECTS, 3), np.float32)
     way, size = np.zeros((3 * MOST_OBJECTS, 4), np.float32), np.zeros((3 * MOST_OBJECTS, 2), np.float32)
     for n, thing in enumerate(things):
         fronts, rows = object_fronts(thing, level.settings.level.seed), slice(3 * n, 3 * n + 3)
         place[n] = thing.x, thing.y, inner_m(thing), thing.radius_m
-        bend[n] = thing.curvature, CENTRE * thing.radius_m
+        bend[n] = thing.curvature, CENTRE * thing.radius_m, full_depth_m(level.settings.sea, thing)
         way[rows] = np.stack([fronts.east, fronts.north, 1 / fronts.length_m, phase_cycles(fronts, t)], -1)
         size[rows] = np.stack([fronts.amplitude_m, fronts.lateral_m], -1)
     return {

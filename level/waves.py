@@ -55,15 +55,18 @@ def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
 
 
 def _offshore(level: Level, shore: ShoreMap, fronts: list[Fronts], t: float, x, y) -> tuple[Deformed, Dual]:
-    weight = _weight(level, shore.at(x, y))
+    bed = shore.at(x, y)
+    weight = _weight(level, bed)
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
     for which, group in zip((HIGH, LOW)[-len(fronts) :], fronts, strict=True):
-        point = shifted(point, _pass(level, which, group, point, t, x, y), weight)
+        added = objects_shift(level, which, t, point.x, point.y, x, y, bed)  # of the same base as the group (H06)
+        point = shifted(point, _group_shift(level, group, point, t, x, y), weight)
+        point = shifted(point, added, Dual(1.0))
     return point, weight
 
 
-def _pass(level: Level, which: int, group: Fronts, point: Deformed, t: float, x, y) -> tuple[Dual, Dual, Dual]:
-    """What one pass moves points: the group, in regions of swell blended with theirs (D32), and wave objects (H08)."""
+def _group_shift(level: Level, group: Fronts, point: Deformed, t: float, x, y) -> tuple[Dual, Dual, Dual]:
+    """What one group of full weight moves points, in regions of swell blended with theirs (D32)."""
     sea = level.settings.sea
 
     def of(fronts: Fronts, begin) -> tuple[Dual, Dual, Dual]:
@@ -76,8 +79,7 @@ def _pass(level: Level, which: int, group: Fronts, point: Deformed, t: float, x,
             its = region_fronts(group, region)
             there = of(its, ahead(group, its, region))
             moved = tuple(a + (b - a) * weight for a, b in zip(moved, there, strict=True))
-    added = objects_shift(level, which, t, point.x, point.y, x, y)
-    return tuple(a + b for a, b in zip(moved, added, strict=True))
+    return moved
 
 
 def _under(level: Level, bed: dict[str, Dual], sand: Dual) -> np.ndarray:

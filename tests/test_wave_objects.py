@@ -214,6 +214,27 @@ def test_a_region_scales_turns_and_hastens_the_seas_own_fronts():
     assert surface_at(calm, 3.0, np.array([250.0]), np.array([160.0])).height_m[0] == 0
 
 
+def test_objects_come_in_nearer_to_the_shore_than_the_open_sea():
+    """H08, D11: in three amplitudes of water over the start they stand whole; where none is left they are nothing."""
+    heights = {}
+    for things in ((), (wave(x=80.0, y=170.0, yaw_deg=0.0, curvature=0.0, lateral=0.0, amplitude_m=0.5),)):
+        level = make_beach(rows=401, slope=0.05)
+        for name, value in (("swell_m", 0.0), ("chop_m", 0.0), ("deep_full_m", 12.0)):
+            level.set(f"sea.{name}", value)
+        level.set("shore.on", False)
+        for thing in things:
+            level.put_object(thing.id, thing)
+        y = np.linspace(100, 198, 2000)
+        heights[len(things)] = np.max(
+            [np.abs(surface_at(level, t, np.full(2000, 80.0), y).height_m) for t in np.linspace(0, 4, 30)], axis=0
+        )
+    depth = (200 - y) * 0.05
+    whole = (depth > level.settings.sea.deep_start_m + 1.6) & (y > 155)
+    assert heights[0].max() == 0
+    assert heights[1][whole].min() > 0.25
+    assert heights[1][depth < level.settings.sea.deep_start_m - 0.2].max() == 0
+
+
 def test_world_points_are_inverted_with_objects_too():
     """D30: asking at the world xy a point was carried to gives its height back."""
     level = deep_level(*crowd(), region(turn_deg=20.0))

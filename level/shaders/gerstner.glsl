@@ -8,7 +8,7 @@ const float TURN = 6.28318530718;
 uniform vec4 u_front_way[FRONTS];   // direction / wavelength (cycles per metre: x, y), phase in cycles, k in rad/m
 uniform vec4 u_front_size[FRONTS];  // amplitude_m, lateral_m, unit direction (x, y)
 uniform vec2 u_front_turn[FRONTS];  // how far noise bends its crests, in wavelengths, and where that begins (H07)
-uniform float u_phase_noise_m;
+uniform float u_phase_noise_m, u_deep_start_m;
 
 // What a drawing shader leaves of the high group where its cells or pixels are too coarse for it; 1 is the true sea.
 float chop_share = 1.0;
@@ -63,11 +63,12 @@ Deformed gerstner_group(Deformed point, int first, int end, vec3 weight, vec2 be
 #ifdef WAVE_REGIONS
     blend_regions(first, end, point, before, dx, dy, dz);
 #endif
+    Deformed moved = Deformed(point.x + d_mul(dx, weight), point.y + d_mul(dy, weight), point.z + d_mul(dz, weight));
 #ifdef WAVE_OBJECTS
     ivec2 objects = first == 0 ? ivec2(0, u_wave_ends.x) : u_wave_ends;
-    add_wave_objects(objects.x, objects.y, point.x, point.y, before, dx, dy, dz);
+    add_wave_objects(objects.x, objects.y, point.x, point.y, before, first == 0 ? chop_share : 1.0, moved);
 #endif
-    return Deformed(point.x + d_mul(dx, weight), point.y + d_mul(dy, weight), point.z + d_mul(dz, weight));
+    return moved;
 }
 
 Deformed gerstner(vec2 before, vec3 weight) {
