@@ -21,8 +21,8 @@ from .weather_keys import base_settings
 
 GRAVITY = 9.81
 HIGH, LOW = range(2)  # the passes, in the order in which they are added (H06)
-SHARES = (0.62, 0.22, 0.16)  # of the amplitude; the first front goes exactly where the object looks
-SPREAD_DEG = (0.0, 7.0, -7.0)
+SHARES = (0.7, 0.17, 0.13)  # of the amplitude; the first front goes exactly where the object looks
+SPREAD_DEG = (0.0, 5.0, -5.0)
 LENGTHS = (1.0, 0.79, 1.23)
 CENTRE = 1.2  # the centre of a wholly curved front is that many radii off: outside the circle, where q has no kink
 LEAST_FALLOFF = 0.05
@@ -47,7 +47,7 @@ def object_fronts(thing: WaveObject, seed: int) -> ObjectFronts:
     """The three fronts of an object in a level of that seed: like a group's (H05), but close to each other."""
     rng = np.random.Generator(np.random.PCG64([seed + 1, thing.seed]))
     wobble = rng.uniform(-1, 1, (3, 3)) * np.array([0.0, 1.0, 1.0])  # the lead is what the artist asked for
-    heading = np.radians(thing.yaw_deg + np.array(SPREAD_DEG) + 2.5 * wobble[0])
+    heading = np.radians(thing.yaw_deg + np.array(SPREAD_DEG) + 1.5 * wobble[0])
     length = thing.length_m * np.array(LENGTHS) * (1 + 0.06 * wobble[1])
     share = np.array(SHARES) * (1 + 0.2 * wobble[2])
     amplitude = thing.amplitude_m * share / share.sum()

@@ -23,7 +23,7 @@ vec2 crest_bend(float cycles) {
     return vec2(t * t * (3.0 - 2.0 * t), f < 0.5 ? -12.0 * t * (1.0 - t) : 12.0 * t * (1.0 - t));
 }
 
-// How far front i is ahead at undeformed xy, in wavelengths: two lengths in the golden ratio along its crests, constant
+// How far front i, of that size and way, is ahead at undeformed xy, in wavelengths: two lengths in the golden ratio along its crests, constant
 // along its way, so that the crests bend and none changes its speed; a dual (H07).
 vec3 phase_noise(int i, vec4 size, vec2 before) {
     vec2 crest = vec2(size.w, -size.z), turn = u_front_turn[i];
@@ -31,6 +31,8 @@ vec3 phase_noise(int i, vec4 size, vec2 before) {
     vec2 noise = crest_bend(along + turn.y) + crest_bend(0.618034 * along - turn.y) * vec2(1.0, 0.618034);
     return turn.x * vec3(0.5 * noise.x - 0.5, 0.25 * noise.y / u_phase_noise_m * crest);
 }
+
+vec3 phase_noise(int i, vec2 before) { return phase_noise(i, u_front_size[i], before); }
 
 // Adds what a front moves a point; `first` that of its group.
 void add_front(int i, vec4 way, vec4 size, int first, Deformed point, vec2 before, inout vec3 dx, inout vec3 dy,
