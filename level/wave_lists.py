@@ -17,15 +17,24 @@ from .patches import PATCH_M, Circle, in_mesh
 MOST_OBJECTS, MOST_ON_PATCH, MOST_REGIONS = 32, 4, 4
 
 
+def _placed(level: Level) -> tuple[tuple[WaveObject, ...], tuple[SwellRegion, ...]]:
+    """Both kinds by id; looked for once as long as no object changes, for the sea asks many times a picture."""
+    known, made = level.derived.get("waves_placed", (None, None))
+    if known != (level.objects_revision, len(level.objects)):
+        things = sorted(list(level.objects.values()), key=lambda o: o.id)
+        made = tuple(tuple(o for o in things if isinstance(o, kind)) for kind in (WaveObject, SwellRegion))
+        level.derived["waves_placed"] = (level.objects_revision, len(level.objects)), made
+    return made
+
+
 def wave_objects(level: Level) -> tuple[WaveObject, ...]:
     """All of them, by id."""
-    return tuple(sorted((o for o in level.objects.values() if isinstance(o, WaveObject)), key=lambda o: o.id))
+    return _placed(level)[0]
 
 
 def wave_regions(level: Level) -> tuple[SwellRegion, ...]:
     """Those that count, by id: the first MOST_REGIONS."""
-    found = sorted((o for o in level.objects.values() if isinstance(o, SwellRegion)), key=lambda o: o.id)
-    return tuple(found[:MOST_REGIONS])
+    return _placed(level)[1][:MOST_REGIONS]
 
 
 def strength(thing: WaveObject) -> tuple:
@@ -62,6 +71,12 @@ def counted(level: Level) -> tuple[tuple[WaveObject, ...], tuple[str, ...]]:
         made = _counted(things)
         level.derived["wave_lists"] = things, made
     return made
+
+
+def uncounted(level: Level) -> list[WaveObject]:
+    """Wave objects that make no waves, being too many."""
+    kept = counted(level)[0]
+    return [thing for thing in wave_objects(level) if thing not in kept]
 
 
 def _counted(things: tuple[WaveObject, ...]) -> tuple[tuple[WaveObject, ...], tuple[str, ...]]:
