@@ -21,7 +21,7 @@ def _placed(level: Level) -> tuple[tuple[WaveObject, ...], tuple[SwellRegion, ..
     """Both kinds by id; looked for once as long as no object changes, for the sea asks many times a picture."""
     known, made = level.derived.get("waves_placed", (None, None))
     if known != (level.objects_revision, len(level.objects)):
-        things = sorted(list(level.objects.values()), key=lambda o: o.id)
+        things = sorted(level.objects.values(), key=lambda o: o.id)
         made = tuple(tuple(o for o in things if isinstance(o, kind)) for kind in (WaveObject, SwellRegion))
         level.derived["waves_placed"] = (level.objects_revision, len(level.objects)), made
     return made

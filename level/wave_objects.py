@@ -26,6 +26,7 @@ SPREAD_DEG = (0.0, 5.0, -5.0)
 LENGTHS = (1.0, 0.79, 1.23)
 CENTRE = 1.2  # the centre of a wholly curved front is that many radii off: outside the circle, where q has no kink
 LEAST_FALLOFF = 0.05
+STEEPEST = 0.6  # of the sum of k · lateral; at 1 crests fold over (Finch), and others may stand on the same water
 FULL_DEPTH = 3.0  # in that many amplitudes of water over `sea.deep_start_m` an object's waves stand whole
 
 
@@ -52,7 +53,8 @@ def object_fronts(thing: WaveObject, seed: int) -> ObjectFronts:
     share = np.array(SHARES) * (1 + 0.2 * wobble[2])
     amplitude = thing.amplitude_m * share / share.sum()
     k = 2 * np.pi / length
-    lateral = np.minimum(2 * thing.lateral * amplitude, 0.9 / (3 * k))  # as in gerstner.py: past it crests fold over
+    lateral = 2 * thing.lateral * amplitude
+    lateral *= min(1.0, STEEPEST / max(float(np.sum(k * lateral)), 1e-9))
     begin = np.array([0.0, 0.618034, 0.236068])
     omega = thing.speed * np.sqrt(GRAVITY * k)
     return ObjectFronts(np.sin(heading), np.cos(heading), length, omega, amplitude, lateral, begin)

@@ -262,6 +262,17 @@ def test_seeds_differ_and_names_do_not():
     assert np.array_equal(first, later)
 
 
+@pytest.mark.parametrize("length", [2.0, 8.0, 60.0])
+def test_no_object_folds_its_crests(length):
+    """H08: however steep and high, alone its waves never overtake themselves: each point of the world is met once."""
+    level = deep_level(wave(amplitude_m=4.0, lateral=1.0, length_m=length), swell_m=0.0, chop_m=0.0)
+    along = np.linspace(-60, 60, 6000)
+    way = np.sin(np.radians(33)), np.cos(np.radians(33))
+    sample = surface_at(level, 2.0, 190 + along * way[0], 150 + along * way[1])
+    met = sample.x * way[0] + sample.y * way[1]
+    assert np.diff(met).min() > 0
+
+
 @pytest.mark.gl
 @pytest.mark.parametrize("t", [0.0, WEEK])
 @pytest.mark.parametrize("kinds", ["objects", "regions", "both"])
