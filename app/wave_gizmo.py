@@ -12,6 +12,7 @@ import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera, Placed, SwellRegion, WaveObject
+from ..level.pick import ground_at
 from ..level.wave_objects import CENTRE, inner_m, object_fronts, phase_cycles
 from .camera_control import to_screen
 from .object_markers import on_surface
@@ -88,9 +89,10 @@ def _fronts(level: Level, thing: WaveObject, time_s: float) -> list[Line]:
         q_m = thing.length_m * (n + 0.25 + phase)
         beside = ACROSS * thing.radius_m
         ahead = bent(thing.curvature, thing.radius_m, q_m, beside)
-        inside = np.hypot(ahead, beside) < thing.radius_m  # nan is not
-        for run in _runs(inside):
-            at = (thing.x, thing.y) + ahead[run][:, None] * along + beside[run][:, None] * across
+        places = (thing.x, thing.y) + ahead[:, None] * along + beside[:, None] * across
+        wet = ground_at(level, *np.nan_to_num(places).T) < level.sea_level_m
+        for run in _runs(wet & (np.hypot(ahead, beside) < thing.radius_m)):  # nan is not within
+            at = places[run]
             nearest = float(np.hypot(ahead[run], beside[run]).min())
             share = np.clip((thing.radius_m - nearest) / max(thing.radius_m - inner_m(thing), 1e-6), 0, 1)
             found.append(Line(on_surface(level, at, 0.15), 0.15 + 0.6 * float(share), 1.4))
