@@ -13,7 +13,7 @@ from ..brushes import BRUSHES
 from ..level.cloud_types import CLOUD_TYPES
 from ..level.environments import ENVIRONMENTS
 from ..level.framing import frame
-from ..level.objects import Shot
+from ..level.objects import Shot, WaveObject
 from ..level.weather_presets import WEATHERS
 from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
@@ -139,6 +139,8 @@ def _rows() -> list[Action]:
         Action("object.duplicate", "Duplicate the object", ("Ctrl+D",), "Edit", placing.duplicate, _has_object),
         Action("object.left", "Turn the object left", ("Ctrl+[",), "Edit", _turn(-15.0), _has_object, repeats=True),
         Action("object.right", "Turn the object right", ("Ctrl+]",), "Edit", _turn(15.0), _has_object, repeats=True),
+        Action("wave.fit", "Fit the wave to the bay", (), "Place", _fit(False), _has_wave),
+        Action("wave.fit_place", "Fit the wave to the bay and move it there", (), "Place", _fit(True), _has_wave),
         Action("palette", "Find a command…", ("Ctrl+P",), "Edit", lambda s: s.ask("palette")),
         Action("frame", "Frame what is pointed at", ("F",), "View", Session.frame),
         Action("frame_all", "Frame the whole level", ("Shift+F",), "View", _frame_all),
@@ -202,6 +204,14 @@ def _can_abort(session: Session) -> bool:
 
 def _has_object(session: Session) -> bool:
     return session.selected in session.level.objects
+
+
+def _has_wave(session: Session) -> bool:
+    return isinstance(session.level.objects.get(session.selected), WaveObject)
+
+
+def _fit(place: bool) -> Callable[[Session], None]:
+    return lambda session: session.fit_wave(session.selected, place)
 
 
 def _erase_sky(session: Session) -> object:

@@ -11,6 +11,7 @@ from ..level.objects import Camera
 from ..level.params import get, replace
 from ..level.preset_cover import covered
 from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
+from ..level.wave_lists import uncounted
 from . import recovery_record
 from . import script as words
 from .imported import imported_height
@@ -73,6 +74,7 @@ class Edits(Shots):
             self.journal.whole(step)
             step.atoms.append(Value(self.level.settings))
             before = {name for name, thing in self.level.objects.items() if self._inside(thing)}
+            left_out = {thing.id for thing in uncounted(self.level)}
             moved = crop(self.level, rect)
             for name, thing in list(self.level.objects.items()):
                 step.atoms.append(Thing(name, thing))
@@ -80,6 +82,10 @@ class Edits(Shots):
         outside = sorted(name for name in before if not self._inside(self.level.objects[name]))
         if outside:
             self.notes.append(f"outside the level now, where they stood: {', '.join(outside)}")
+        # hectares lie elsewhere now, so another may have too many wave objects
+        crowded_out = sorted(thing.id for thing in uncounted(self.level) if thing.id not in left_out)
+        if crowded_out:
+            self.notes.append(f"left out of the sea now, for a hectare has too many: {', '.join(crowded_out)}")
 
     def _inside(self, thing: Any) -> bool:
         east_m, north_m = self.level.grid.extent_m

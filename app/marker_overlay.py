@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 from imgui_bundle import imgui
 
-from . import theme
+from ..level.objects import Placed
+from . import theme, wave_gizmo
 from .brush_ring import hidden_by_land
 from .camera_control import to_screen
 from .object_markers import Marker, at_pixel, heading, outlines, shown
@@ -15,6 +16,7 @@ from .viewport_overlay import Overlay
 DISC_PX = 11.0
 HIDDEN_ALPHA = 0.35
 HEADING_M = 6.0
+HANDLE_PX = 5.0
 
 
 class MarkerOverlay:
@@ -51,9 +53,27 @@ class MarkerOverlay:
         ink = theme.ACCENT_BRIGHT if chosen else theme.INK
         for line in outlines(self.session.level, thing):
             self.overlay.line(line, ink, 0.85 if chosen else 0.5, 1.6)
-        way = heading(self.session.level, thing, HEADING_M) if chosen else None
+        self._waves(thing, ink, chosen)
+        way = (
+            heading(self.session.level, thing, HEADING_M)
+            if chosen and not isinstance(thing, wave_gizmo.KINDS)
+            else None
+        )
         if way is not None:
             self.overlay.line(way, ink, 0.9, 2.0)
+
+    def _waves(self, thing: Placed, ink: tuple, chosen: bool) -> None:
+        """Fronts, rings and arrow of a wave object or region; handles of the chosen one."""
+        session = self.session
+        for line in wave_gizmo.lines(session.level, thing, session.clock.time_s):
+            self.overlay.line(line.points, ink, line.alpha * (1.0 if chosen else 0.6), line.width)
+        found = wave_gizmo.handles(session.level, thing) if chosen and session.tool == SELECT else {}
+        if not found:
+            return
+        pixels, ahead = to_screen(session.camera, self.overlay.size, np.array(list(found.values())))
+        for pixel in pixels[ahead] + self.overlay.origin:
+            self.overlay.draw_list.add_circle_filled(imgui.ImVec2(*pixel), HANDLE_PX, theme.packed(theme.SHADE, 0.8))
+            self.overlay.draw_list.add_circle(imgui.ImVec2(*pixel), HANDLE_PX, theme.packed(ink, 0.95), 0, 1.8)
 
     def _marker(self, marker: Marker, at: np.ndarray, behind: bool, pointed: bool) -> None:
         chosen = marker.id == self.session.selected

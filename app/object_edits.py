@@ -7,8 +7,10 @@ from typing import Any
 from pydantic import ValidationError
 
 from ..level import BadInput
-from ..level.objects import OBJECT, OBJECT_KINDS, Placed
+from ..level.objects import OBJECT, OBJECT_KINDS, Placed, WaveObject
 from ..level.params import replace, sentence
+from ..level.wave_fit import fit_to_shore
+from ..level.wave_lists import refuse_crowd
 from . import script as words
 from .prop_edits import Props
 
@@ -28,6 +30,7 @@ class Objects(Props):
         thing = checked_object(thing)
         if merge and self.level.objects.get(thing.id) == thing:
             return
+        refuse_crowd(self.level, thing)
         self._end_stroke()
         settings = replace(self.level.settings, "water.table", thing.id) if use else None
         with self._edit(words.Place(object=thing, use=use), merge):
@@ -41,6 +44,13 @@ class Objects(Props):
         for field, value in values.items():
             thing = replace(thing, field, value)
         self.place(thing, merge)
+
+    def fit_wave(self, name: str, place: bool = False) -> None:
+        """Turn and bend a wave object along the shore near it, with `place` move it there too; one step (H09)."""
+        thing = self.object(name)
+        if not isinstance(thing, WaveObject):
+            raise BadInput(f"{name} is no wave object, so there is nothing to fit to a bay")
+        self.alter(name, fit_to_shore(self.level, thing, place))
 
     def remove(self, name: str) -> None:
         """Remove an object; BadInput when there is none of that id."""

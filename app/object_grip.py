@@ -6,7 +6,7 @@ import numpy as np
 
 from ..level.objects import Placed
 from ..renderer.camera import camera_matrices
-from . import placing
+from . import placing, wave_gizmo
 from .camera_control import place
 from .editor import Editor
 from .object_markers import at_pixel
@@ -33,7 +33,10 @@ class Grip:
         self._pressed, self._moving, self._how = where, False, "turn" if turn else "lift" if lift else "move"
         self._from = self.surface(where, size)
         if session.tool == SELECT:
-            session.selected = at_pixel(session.level, session.camera, size, where)
+            held = session.level.objects.get(session.selected)
+            handle = wave_gizmo.handle_at(session.level, session.camera, size, held, where)
+            self._how = handle or self._how
+            session.selected = session.selected if handle else at_pixel(session.level, session.camera, size, where)
         else:
             self._how = "move"
             if self._from is None:
@@ -52,7 +55,8 @@ class Grip:
         self._moving = self._moving or np.hypot(*way) > HELD_PX
         if not self._moving:
             return True
-        values = {"turn": self._turned, "lift": self._lifted, "move": self._moved}[self._how](thing, way, where, size)
+        mean = {"turn": self._turned, "lift": self._lifted, "move": self._moved}.get(self._how, self._handled)
+        values = mean(thing, way, where, size)
         if values:
             self.editor.attempt(session.alter, thing.id, values, True)
         return True
@@ -82,9 +86,15 @@ class Grip:
         return values
 
     def _turned(self, thing: Placed, way, where, size) -> dict:
-        if not hasattr(thing, "yaw_deg"):
+        field = next((name for name in ("yaw_deg", "turn_deg") if hasattr(thing, name)), "")
+        if not field:
             return {}
-        return {"yaw_deg": round(placing.turned(thing.yaw_deg, TURN_DEG_PER_PX * way[0]), 1)}
+        return {field: round(placing.turned(getattr(thing, field), TURN_DEG_PER_PX * way[0]), 1)}
+
+    def _handled(self, thing: Placed, way, where, size) -> dict:
+        """A handle of a wave object goes where the pointer meets the surface."""
+        now = self.surface(where, size)
+        return wave_gizmo.dragged(self.editor.session.level, thing, self._how, *now[:2]) if now is not None else {}
 
     def _lifted(self, thing: Placed, way, where, size) -> dict:
         """Up and down by as much as the pointer goes at the object's distance."""

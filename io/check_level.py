@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ..level import BadInput, Grid
 from ..level.objects import Prop
+from ..level.wave_lists import left_out
 from . import level_json
 from .level_sectors import check_sector, decode, file_hash
 from .mesh_files import file_of, unpacked
@@ -46,7 +47,7 @@ def check_level(path: Path) -> list[str]:
             findings.append(f"{file} belongs to no layer that level.json lists")
     for name in sorted({thing.mesh for thing in manifest.objects if isinstance(thing, Prop) and thing.mesh}):
         findings += _check_mesh(path, name)
-    return findings
+    return findings + [f"{path / level_json.NAME}: {told}" for told in left_out(manifest.objects)]
 
 
 def _check_mesh(path: Path, name: str) -> list[str]:

@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ..level import BadInput, Grid, Level
+from ..level.wave_lists import left_out
 from . import level_json
 from .level_json import BASE, Manifest
 from .level_sectors import check_sector, decode, file_hash, is_old, put_tiles, revision_of
@@ -85,6 +86,7 @@ def _read(folder: Path, notes: list[str]) -> tuple[Level, Saved]:
     meshes = {name: signature(files[name]) for name in files if name in level.meshes}
     files = {name: inside(folder, sky_file_of(name), record) for name in wanted_skies(level)}
     read_skies(level, files, notes)
+    notes += left_out(level.objects.values())
     skies = {name: signature(files[name]) for name in files if name in level.skies}
     base = level.layers["height"].base
     return level, Saved(folder.resolve(), level.revision, base, hashes, signatures, meshes, skies)

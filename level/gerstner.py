@@ -105,9 +105,9 @@ def phase_noise(sea: Sea, fronts: Fronts, i: int, x: np.ndarray, y: np.ndarray) 
     return Dual(gain * (0.5 * (one[0] + two[0]) - 0.5), steep * crest_x, steep * crest_y)
 
 
-def travel(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list[Dual], passing: Passing) -> Deformed:
-    """`deform` for the low group on its way over the bed (T06): phases are times of arrival, in cycles, and crests go
-    the way in which those grow. `passing` is that of the point."""
+def travel(point: Deformed, fronts: Fronts, t: float, noises: list[Dual], passing: Passing) -> tuple[Dual, Dual, Dual]:
+    """`shift` of the low group on its way over the bed (T06): phases are times of arrival, in cycles, and crests go the
+    way in which those grow. `passing` is that of the point."""
     dx, dy, dz = Dual(0.0), Dual(0.0), Dual(0.0)
     for i, (cycles, gain) in enumerate(zip(passing.swells, passing.gains, strict=True)):
         steep = np.hypot(cycles.dx, cycles.dy)
@@ -125,7 +125,7 @@ def travel(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list
         high = fronts.amplitude_m[i]
         dz = dz + Dual(high * sin, high * cos * slope_x, high * cos * slope_y) * gain
         dx, dy = dx + lateral * east, dy + lateral * north
-    return Deformed(point.x + dx * weight, point.y + dy * weight, point.z + dz * weight)
+    return dx, dy, dz
 
 
 def _through(value: Dual, point: Deformed) -> tuple:
@@ -133,8 +133,8 @@ def _through(value: Dual, point: Deformed) -> tuple:
     return value.dx * point.x.dx + value.dy * point.y.dx, value.dx * point.x.dy + value.dy * point.y.dy
 
 
-def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list[Dual]) -> Deformed:
-    """Add one group to a point; gradients go through the chain rule (H29); `noises`, by front: `phase_noise` there."""
+def shift(point: Deformed, fronts: Fronts, t: float, noises: list[Dual]) -> tuple[Dual, Dual, Dual]:
+    """What one group of full weight adds to world x, y and height; gradients go through the chain rule (H29)."""
     dx, dy, dz = Dual(0.0), Dual(0.0), Dual(0.0)
     for i in range(len(fronts.length_m)):
         east, north, k = fronts.east[i], fronts.north[i], 2 * np.pi / fronts.length_m[i]
@@ -151,4 +151,14 @@ def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list
             fronts.amplitude_m[i] * sin, fronts.amplitude_m[i] * cos * slope_x, fronts.amplitude_m[i] * cos * slope_y
         )
         dx, dy, dz = dx + lateral * east, dy + lateral * north, dz + rise
-    return Deformed(point.x + dx * weight, point.y + dy * weight, point.z + dz * weight)
+    return dx, dy, dz
+
+
+def shifted(point: Deformed, by: tuple[Dual, Dual, Dual], weight: Dual) -> Deformed:
+    """A point moved by a pass."""
+    return Deformed(*(old + new * weight for old, new in zip((point.x, point.y, point.z), by, strict=True)))
+
+
+def deform(point: Deformed, fronts: Fronts, t: float, weight: Dual, noises: list[Dual]) -> Deformed:
+    """Add one group to a point; `noises`, by front: `phase_noise` there."""
+    return shifted(point, shift(point, fronts, t, noises), weight)

@@ -74,6 +74,35 @@ class SeaPatch(Placed):
     )
 
 
+class WaveObject(Placed):
+    """Waves of an artist's own in a circle, placed like a light: three fronts, straight or curved (H08, H09)."""
+
+    kind: Literal["wave"] = "wave"
+    yaw_deg: float = param(0.0, -360, 360, "°", "Where its fronts go to, clockwise from north.")
+    radius_m: float = param(90.0, 5, 2000, "m", "Where its waves end.", soft=(20, 300))
+    falloff: float = param(0.6, 0, 1, "", "Share of the radius over which they fade.")
+    amplitude_m: float = param(0.8, 0, 8, "m", "Their height over the still sea.", soft=(0, 2))
+    lateral: float = param(0.8, 0, 1, "", "How sharply crests are drawn together.")
+    length_m: float = param(28.0, 1, 600, "m", "Their wavelength.", soft=(4, 120))
+    speed: float = param(1.0, 0, 4, "×", "Their speed against deep-water dispersion.", soft=(0.25, 2))
+    curvature: float = param(
+        0.6, -1, 1, "", "How fronts bend: 1 like rings from a point behind, 0 straight, −1 closing in on one ahead."
+    )
+    seed: int = param(0, 0, 999, "", "Another number, another small difference between its three fronts.", soft=(0, 9))
+
+
+class SwellRegion(Placed):
+    """A circle in which the sea's own waves are higher, longer, faster or turned (D32)."""
+
+    kind: Literal["wave_region"] = "wave_region"
+    radius_m: float = param(120.0, 5, 20_000, "m", "Where the sea is its own again.", soft=(20, 500))
+    falloff: float = param(0.6, 0, 1, "", "Share of the radius over which it becomes so.")
+    amplitude: float = param(2.0, 0, 8, "×", "Height of waves within; 0: none.", soft=(0, 3))
+    length: float = param(1.0, 0.25, 4, "×", "Their wavelength.", soft=(0.5, 2))
+    speed: float = param(1.0, 0, 4, "×", "Their speed, besides what the wavelength makes of it.", soft=(0.25, 2))
+    turn_deg: float = param(0.0, -180, 180, "°", "How far they are turned, clockwise.")
+
+
 class WaterTable(Placed):
     """What metres of water do to light, as gradient stops (H15); `water.table` names the one in use."""
 
@@ -187,8 +216,8 @@ class WeatherKey(Placed):
 
 
 _KINDS = (
-    Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaterTable, PointLight, Prop, Hit, Mover,
-    WeatherKey, Shot,
+    Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaveObject, SwellRegion, WaterTable, PointLight,
+    Prop, Hit, Mover, WeatherKey, Shot,
 )  # fmt: skip
 OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]

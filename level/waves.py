@@ -14,13 +14,16 @@ from .arrival_map import ArrivalMap
 from .beach_map import NO_BEACH_M, beach_map
 from .dual import Dual, step
 from .force import ForceField
-from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, phase_noise, travel
+from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, travel
 from .level import Level
 from .noise import lattice
 from .patches import beach_contact, patch_shore, patch_uniforms
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
 from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, shore_masks, uprush
+from .wave_lists import counted, wave_regions
+from .wave_objects import HIGH, LOW, circle_weight, most_height_m, object_uniforms, objects_shift
+from .wave_regions import ahead, front_rows, most_amplitude, region_fronts, region_uniforms
 from .weather_keys import level_at
 
 DEEP_M = 4.0  # there is no sand that the slice knows
@@ -56,15 +59,40 @@ def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
 def _offshore(
     level: Level, shore: ShoreMap, fronts: list[Fronts], made: ArrivalMap | None, t: float, x, y
 ) -> tuple[Deformed, Dual]:
-    weight = _weight(level, shore.at(x, y))
+    bed = shore.at(x, y)
+    weight = _weight(level, bed)
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
-    for group in fronts:
-        noises = [phase_noise(level.settings.sea, group, i, x, y) for i in range(len(group.length_m))]
-        if made is not None and group is fronts[-1]:
-            point = travel(point, group, t, weight, noises, made.at(point.x.v, point.y.v))
-        else:
-            point = deform(point, group, t, weight, noises)
+    for which, group in zip((HIGH, LOW)[-len(fronts) :], fronts, strict=True):
+        added = objects_shift(level, which, t, point.x, point.y, x, y, bed)  # of the same base as the group (H06)
+        point = shifted(point, _group_shift(level, group, point, t, x, y, made if which == LOW else None), weight)
+        point = shifted(point, added, Dual(1.0))
     return point, weight
+
+
+def _group_shift(
+    level: Level, group: Fronts, point: Deformed, t: float, x, y, made: ArrivalMap | None
+) -> tuple[Dual, Dual, Dual]:
+    """What one group of full weight moves points, in regions of swell blended with theirs (D32)."""
+    sea = level.settings.sea
+
+    def noises(fronts: Fronts, begin) -> list[Dual]:
+        return [phase_noise(sea, fronts, i, x, y) + cycles for i, cycles in enumerate(begin)]
+
+    def of(fronts: Fronts, begin) -> tuple[Dual, Dual, Dual]:
+        return shift(point, fronts, t, noises(fronts, begin))
+
+    still = np.zeros(len(group.length_m))
+    if made is None:
+        moved = of(group, still)
+    else:
+        moved = travel(point, group, t, noises(group, still), made.at(point.x.v, point.y.v))
+    for region in wave_regions(level):
+        weight = circle_weight(region, x, y)
+        if np.any(weight.v > 0):
+            its = region_fronts(group, region)
+            there = of(its, ahead(group, its, region))
+            moved = tuple(a + (b - a) * weight for a, b in zip(moved, there, strict=True))
+    return moved
 
 
 def _under(level: Level, bed: dict[str, Dual], sand: Dual) -> np.ndarray:
@@ -134,10 +162,16 @@ def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceFi
     return surface_at(level, t, before_x, before_y, skip_chop, force)
 
 
-def largest_height_m(level: Level) -> float:
-    """The largest height the wave sum can reach over the still sea."""
+def sea_height_m(level: Level) -> float:
+    """The largest height the wave sum can reach over the still sea where no wave object or region is."""
     shore = level.settings.shore
     return max(largest_amplitude_m(level), shore.height_m + shore.range_m * shore.runup, 1e-3)
+
+
+def largest_height_m(level: Level) -> float:
+    """The largest height the wave sum can reach over the still sea anywhere."""
+    offshore = largest_amplitude_m(level) * most_amplitude(level)
+    return max(sea_height_m(level), offshore) + most_height_m(level)
 
 
 def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]:
@@ -145,14 +179,8 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
     level = level_at(level, t)
     settings = level.settings
     sea, shore = settings.sea, shore_at(level, t)
-    way, size, turn = [], [], []
-    for fronts in fronts_at(level, t):
-        for i, length in enumerate(fronts.length_m):
-            east, north = fronts.east[i], fronts.north[i]
-            phase = fronts.omega[i] * t / (2 * np.pi)
-            way.append((east / length, north / length, phase - np.floor(phase), 2 * np.pi / length))
-            turn.append((sea.phase_noise * PHASE_GAIN[len(fronts.length_m)][i], fronts.begin[i]))
-            size.append((fronts.amplitude_m[i], fronts.lateral_m[i], east, north))
+    groups = fronts_at(level, t)
+    way, size, turn = zip(*(row for group in groups for row in front_rows(group, sea.phase_noise, t)), strict=True)
     names = ("range_m", "width", "gap", "runup", "back", "fall", "height_m", "draw_m", "fade_in", "fade_out")
     return {
         "u_front_way": np.array(way, np.float32),
@@ -174,11 +202,19 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_sea_level_m": settings.level.sea_level_m,
         "u_deep_start_m": sea.deep_start_m,
         "u_deep_full_m": max(sea.deep_full_m, sea.deep_start_m + 1e-3),
-        "u_wave_height_m": largest_height_m(level),
+        "u_wave_height_m": sea_height_m(level),  # foam elsewhere stays when an object is placed
         "u_bed_cell_m": shore_map(level).cell_m,
         **patch_uniforms(level),
         "u_beach_cell_m": beach_map(level).cell_m,
         **arrival_uniforms(arrival(level, t), settings.timing.share),
         "u_shore_sway": shore.sway,
         "u_shore_slide": float(shore.slide),
+        **object_uniforms(level, t),
+        **region_uniforms(level, groups, sea.phase_noise, t),
     }
+
+
+def wave_defines(level: Level) -> dict[str, str]:
+    """What the level's GLSL is compiled with for its objects; without any it is what it was."""
+    asked = {"WAVE_OBJECTS": bool(counted(level)[0]), "WAVE_REGIONS": bool(wave_regions(level))}
+    return {name: "" for name, on in asked.items() if on}

@@ -47,6 +47,7 @@ OFF = {
     "plate.glsl": {"caustics.on": "NO_CAUSTICS"},
 }  # fmt: skip
 WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl")  # read patches.glsl
+WITH_FRONTS = ("sea.glsl", "view.glsl")  # read gerstner.glsl
 IN_THE_SUN = ("sea.glsl", "light.glsl", "view.glsl")  # ask sun_visibility
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
@@ -143,8 +144,11 @@ class Frame:
     def shader(self, name: str, **defines: str):
         """A program with this frame's uniforms and textures bound."""
         from ..level.patches import overrides
+        from ..level.waves import wave_defines
         from .uniforms import bind_textures, set_uniforms
 
+        if name in WITH_FRONTS:
+            defines |= wave_defines(self.level)
         if name in WITH_WAVES and overrides(self.level):
             defines["PATCHED"] = ""
         if name in WITH_WAVES and self.travels:

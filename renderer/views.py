@@ -180,6 +180,10 @@ VIEWS: dict[str, View] = {
              "red removed; grey is the horizon's plane.",
              "patch_colour(position.xy, s.eye_depth * u_pixel_angle) * (0.6 + 0.4 * on_sea)", "direct",
              ids="H01 H27"),
+        View("wave_objects", "Wave objects", "How many reach each hectare: blue one, green two, sand three, red four; "
+             "white their weight, violet regions of swell.",
+             "wave_objects_colour(position.xy, s.eye_depth * u_pixel_angle) * (0.4 + 0.6 * on_sea)", "direct",
+             ids="H08 D32"),
         View("triangle_area", "Triangle area", "Pixels a triangle of the sea has, 400 to white; red under 16, "
              "blue the horizon's plane.",
              "on_sea * triangle_colour(s.emissive.x)", "direct",

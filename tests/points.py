@@ -5,7 +5,7 @@ from shorewright.level.arrival import arrival
 from shorewright.level.beach_map import beach_map
 from shorewright.level.noise import lattice
 from shorewright.level.shore import shore_map
-from shorewright.level.waves import wave_uniforms
+from shorewright.level.waves import wave_defines, wave_uniforms
 from shorewright.renderer.program import resolve
 from shorewright.renderer.uniforms import set_uniforms
 
@@ -21,10 +21,14 @@ void main() {
 """
 
 
-def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict):
+def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict, defines=()):
     """Run a vertex shader over points `in_at` (n, 2), read back its varyings (floats by name), release `textures`."""
-    defines = "#define TRAVEL_TIME\n" if "u_arrival" in textures else ""
-    text = "#version 410 core\n" + defines + resolve("points", {"points": source}).text
+    defines = [*defines, *(["TRAVEL_TIME"] if "u_arrival" in textures else [])]
+    text = (
+        "#version 410 core\n"
+        + "".join(f"#define {name}\n" for name in defines)
+        + resolve("points", {"points": source}).text
+    )
     program = ctx.program(vertex_shader=text, varyings=list(varyings))
     for unit, (name, texture) in enumerate(textures.items()):
         texture.filter = (ctx.NEAREST, ctx.NEAREST)
@@ -56,4 +60,5 @@ def feedback(ctx, level, t, at):
     made = arrival(level, t)
     if made is not None:
         textures["u_arrival"] = ctx.texture(made.packed.shape[1::-1], 4, made.packed.tobytes(), dtype="f4")
-    return transform(ctx, SEA, at, {"v_position": 4, "v_masks": 4, "v_sheet": 4}, textures, wave_uniforms(level, t))
+    varyings = {"v_position": 4, "v_masks": 4, "v_sheet": 4}
+    return transform(ctx, SEA, at, varyings, textures, wave_uniforms(level, t), wave_defines(level))

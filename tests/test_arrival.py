@@ -5,11 +5,13 @@ import time
 import numpy as np
 import pytest
 from coasts import make_beach
+from points import feedback
 from shorewright.app.arrival_lender import ArrivalLender
 from shorewright.level.arrival import arrival, asked_of, offshore_height_m, period_s, shore_at, swell
 from shorewright.level.arrival_map import BEYOND_M, HEIGHTS, TIMES, ArrivalMap
 from shorewright.level.dispersion import group_speed
 from shorewright.level.dual import Dual
+from shorewright.level.objects import OBJECT_KINDS
 from shorewright.level.shore import shore_map
 from shorewright.level.shore_waves import Travel, lead_arrival, s_cycles
 from shorewright.level.waves import surface_at
@@ -164,3 +166,17 @@ def test_under_the_brush_times_change_and_heights_stay():
         assert made.block(HEIGHTS) == pytest.approx(whole.block(HEIGHTS), abs=1e-6)
     finally:
         lender.close()
+
+
+@pytest.mark.gl
+def test_objects_and_regions_ride_on_swells_that_travel(ctx):
+    """H08, D32, T06: shader and twin agree where all of them meet."""
+    level = travelling()
+    level.put_object("w", OBJECT_KINDS["wave"](id="w", x=220.0, y=300.0, yaw_deg=20.0))
+    level.put_object("r", OBJECT_KINDS["wave_region"](id="r", x=260.0, y=200.0, radius_m=150.0))
+    at = np.random.default_rng(7).uniform(0, 480, (4000, 2)).astype(np.float32)
+    got = feedback(ctx, level, 5.0, at)
+    want = surface_at(level, 5.0, *at.astype(np.float64).T)
+    assert np.abs(got[:, 2] - want.height_m).max() < 1e-3
+    level.put_object("r", None)
+    assert np.abs(surface_at(level, 5.0, *at.astype(np.float64).T).height_m - want.height_m).max() > 0.1

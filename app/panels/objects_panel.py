@@ -12,6 +12,7 @@ from imgui_bundle import imgui
 from ...level.objects import OBJECT_KINDS, Placed
 from ...level.params import Param, describe
 from ...level.pick import ground_at
+from ...level.wave_lists import counted
 from .. import param_widgets, theme
 from ..actions import ACTIONS
 from ..editor import Editor
@@ -151,6 +152,8 @@ def _selected(editor: Editor, thing: Placed) -> None:
         _sky(editor, thing)
     if thing.kind == "weather_key":
         _reach(editor, thing)
+    if thing.kind == "wave":
+        _fit(editor, thing)
     param_widgets.draw_all(
         list(fields(thing.kind)),
         lambda name: getattr(thing, name),
@@ -170,6 +173,21 @@ def _name(editor: Editor, thing: Placed) -> None:
     if entered:
         editor.attempt(editor.session.rename, thing.id, _state["name"])
         _state["renaming"] = ""
+
+
+def _fit(editor: Editor, thing: Placed) -> None:
+    """Both ways to fit a wave object to the shore; whether it is one too many."""
+    for told in counted(editor.session.level)[1]:
+        if f": {thing.id}, " in told:
+            imgui.push_style_color(imgui.Col_.text, theme.colour(theme.WARM))
+            imgui.text_wrapped(told)
+            imgui.pop_style_color()
+    for name, text in (("wave.fit", "Fit to the bay"), ("wave.fit_place", "Fit and move")):
+        if imgui.button(theme.titled("water", text, name)):
+            editor.do(ACTIONS[name])
+        param_widgets.tooltip(f"{ACTIONS[name].title}: its fronts come in along the shore within its circle.")
+        imgui.same_line()
+    imgui.new_line()
 
 
 def _mesh(editor: Editor, thing: Placed) -> None:

@@ -4,7 +4,7 @@
 #include "level/force.glsl"
 #include "level/patches.glsl"
 
-uniform float u_sea_level_m, u_deep_start_m, u_deep_full_m, u_sea_on, u_wave_height_m;
+uniform float u_sea_level_m, u_deep_full_m, u_sea_on, u_wave_height_m;
 
 const float DEEP_M = 4.0;  // there is no sand that the slice knows
 
@@ -28,7 +28,12 @@ vec3 deep_weight(Bed bed) {
 float beach_under(Bed bed, Beach beach) { return u_shore_slide > 0.0 && bed.sea.x > 0.0 ? beach.sand.x : NO_BEACH_M; }
 
 Sea sea_surface(vec2 before) {
-    vec3 weight = deep_weight(bed_at(before));
+    Bed start = bed_at(before);
+    vec3 weight = deep_weight(start);
+#ifdef WAVE_OBJECTS
+    objects_depth = start.smoothed;
+    objects_sea = start.sea * u_sea_on;
+#endif
     Deformed p = gerstner(before, weight);
     vec2 after = vec2(p.x.x, p.y.x);
     Bed bed = bed_at(after);

@@ -7,6 +7,7 @@ void main() { fullscreen_triangle(); }
 
 #ifdef FRAGMENT
 #include "level/waves.glsl"
+#include "lib/wave_lists.glsl"
 #include "lib/gbuffer.glsl"
 #include "lib/height.glsl"
 #include "lib/shadow.glsl"

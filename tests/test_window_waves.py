@@ -1,0 +1,25 @@
+"""The real window: a wave object dropped, moved, turned, sized, bent and aimed by the mouse (H08 H09)."""
+
+from pathlib import Path
+
+import pytest
+import test_window
+from test_window import display, drive  # noqa: F401
+
+pytestmark = pytest.mark.window
+
+
+def test_a_wave_object_is_worked_by_the_mouse(drive, monkeypatch):  # noqa: F811
+    """H08, H09: each drag changes its own field and is one step; the fit is one more."""
+    monkeypatch.setattr(test_window, "DRIVE", Path(__file__).with_name("window_waves.py"))
+    found = drive("wave_object")
+    assert found["bad"] == []
+    assert found["dropped"] == "wave-1"
+    assert found["steps"] == ["Place wave-1"]
+    assert found["moved"] == [["x", "y"], 1]
+    assert found["turned"] == [["yaw_deg"], 1]
+    assert found["size"] == [["radius_m"], 1]
+    assert found["bend"] == [["curvature"], 1]
+    assert found["aim"] == [["yaw_deg"], 1]
+    assert abs(found["fitted"]) < 0.1  # before a straight beach
+    assert found["fit_steps"] == 1
