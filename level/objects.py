@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal, Self, Union
 
 from pydantic import Field, TypeAdapter, field_validator
 
+from .loop import looped
 from .params import Section, param
 
 
@@ -108,9 +109,9 @@ class PointLight(Placed):
     orbit_m: float = param(0.0, 0, 500, "m", "Radius of the circle it goes round its place.", soft=(0, 20))
     period_s: float = param(8.0, 0.5, 1000, "s", "Time of one turn.", soft=(2, 60))
 
-    def place(self, t: float) -> tuple[float, float, float]:
-        """Where it is at time t, world metres."""
-        turn = 2 * math.pi * ((t / self.period_s) % 1.0)
+    def place(self, t: float, loop_s: float = 0.0) -> tuple[float, float, float]:
+        """Where it is at time t, world metres; its turns divide a loop."""
+        turn = 2 * math.pi * ((t / looped(self.period_s, loop_s)) % 1.0)
         return self.x + self.orbit_m * math.sin(turn), self.y + self.orbit_m * math.cos(turn), self.z
 
 

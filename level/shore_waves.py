@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .dual import Dual, positive, step
+from .loop import turns
 from .noise import LATTICE, value_noise
 from .settings import Shore
 
@@ -37,10 +38,17 @@ class ShoreMasks:
     arrived: np.ndarray
 
 
-def clock_uniforms(shore: Shore, t: float) -> dict[str, float | int]:
-    """The clock at t in float64, wrapped, so that no shader ever sees a large time."""
+def clock_uniforms(shore: Shore, t: float, loop_s: float = 0.0) -> dict[str, float | int]:
+    """The clock at t in float64, wrapped, so that no shader ever sees a large time.
+
+    `u_shore_turns`: after so many waves the same ones come again, 0 for never; `t` lies in the loop then (loop.py).
+    """
     waves = t / shore.interval_s / shore.count
-    return {"u_shore_clock": waves - math.floor(waves), "u_shore_cycle": math.floor(waves) % (LATTICE * 64)}
+    return {
+        "u_shore_clock": waves - math.floor(waves),
+        "u_shore_cycle": math.floor(waves) % (LATTICE * 64),
+        "u_shore_turns": turns(shore.interval_s, loop_s),
+    }
 
 
 def uprush(shore: Shore) -> float:
@@ -60,7 +68,9 @@ def before_waves(shore: Shore, bed: dict[str, Dual]) -> np.ndarray:
     return (not shore.on) | (np.minimum(bed["clock"].v, bed["smoothed"].v) > (1 + tail) * shore.range_m)
 
 
-def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray) -> ShoreMasks:
+def shore_masks(
+    shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray, loop_s: float = 0.0
+) -> ShoreMasks:  # fmt: skip
     """Masks and lift at world points over the bed there (`ShoreMap.at`), with the `sway` there (`BeachMap.at`).
 
     `values` is the level's noise lattice.
@@ -68,7 +78,7 @@ def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, 
     Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink into
     a hole round each of them.
     """
-    clock = clock_uniforms(shore, t)
+    clock = clock_uniforms(shore, t, loop_s)
     s = 1.0 - bed["clock"].v / shore.range_m
     s_body = 1.0 - bed["smoothed"] * (1 / shore.range_m)
     sea = bed["sea"] * bed["within"]
@@ -81,7 +91,7 @@ def shore_masks(shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, 
         cycle = np.floor(c.v)
         f = (c - Dual(cycle)) * (1 + shore.runup)
         wave = (clock["u_shore_cycle"] + cycle.astype(np.int64)) * shore.count - k
-        tall = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.variety
+        tall = 1.0 - _wave_noise(shore, clock, values, x, y, wave) * shore.variety
         a_here, b_here, *here = _wave(shore, s - f.v, f.v)
         masks = [np.maximum(old, new) for old, new in zip(masks, here, strict=True)]
         closer = np.abs(s - f.v) < nearest
@@ -133,8 +143,10 @@ def _height_along(s: Dual) -> Dual:
     return (step(0.0, BREAK_S, s) * 0.7 + 0.3) * (1.0 - step(BREAK_S, 1.0, s))
 
 
-def _wave_noise(shore: Shore, values: np.ndarray, x, y, wave) -> Dual:
+def _wave_noise(shore: Shore, clock: dict, values: np.ndarray, x, y, wave) -> Dual:
     """0 … 1 along the shore for the wave of this number: what it lacks in height and in reach."""
+    if clock["u_shore_turns"]:
+        wave = np.mod(wave, clock["u_shore_turns"])
     return value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
 
 
@@ -152,7 +164,7 @@ def _swash(shore: Shore, clock: dict, early: Dual, values: np.ndarray, x, y) -> 
     arrived = _arrived(shore, clock, early)
     q = Dual(arrived - np.floor(arrived), early.dx, early.dy)
     wave = clock["u_shore_cycle"] * shore.count + np.floor(arrived).astype(np.int64)
-    reach = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.runup_variety
+    reach = 1.0 - _wave_noise(shore, clock, values, x, y, wave) * shore.runup_variety
     up = uprush(shore)
     u = q * (1 / up)
     rising = u * (1.0 + u * (1.0 - u))

@@ -31,7 +31,7 @@ def seen_now(frame: Frame) -> Seen:
     level, m = frame.level, frame.matrices
     settings = tuple(getattr(level.settings, name) for name in SECTIONS)
     light = frame.renderer.sky.light  # through dusk its unit goes by powers of two, and the moon takes over
-    others = level.objects_revision, level.sea_level_m, frame.tier.name, light.unit
+    others = level.objects_revision, level.mean_sea_m, frame.tier.name, light.unit
     key = (level.layers["weather"], *settings, *others)
     return Seen(m.position.copy(), (-m.view[2], m.ray_x, m.ray_y), frame.time_s, drift_m(level, frame.time_s), key)
 

@@ -115,7 +115,7 @@ void main() {
 #ifdef INSET_MAP
     Bed under_it = bed_at(inset_world());
     Surface s = inset_surface(inset_world(), under_it.sea.x > 0.5 && under_it.depth.x > 0.0, u_inset_map.w);
-    vec3 position = vec3(inset_world(), u_still_m + max(-under_it.depth.x, 0.0));
+    vec3 position = vec3(inset_world(), u_sea_level_m + max(-under_it.depth.x, 0.0));
 #else
     Surface s = read_gbuffer(pixel);
     vec3 position = u_camera + ray * s.eye_depth;
@@ -140,7 +140,7 @@ void main() {
 #ifdef WALKABLE
     ivec2 cell = clamp(ivec2(floor(below / u_cell_m + 0.5)), ivec2(0), textureSize(u_walkable, 0) - 1);
     bool on_level = all(greaterThanEqual(below, vec2(0.0))) && all(lessThanEqual(below, u_extent_m));
-    float walkable = on_level ? texelFetch(u_walkable, cell, 0).r : 0.0;
+    float walkable = float(on_level && u_sea_now_m <= texelFetch(u_walkable, cell, 0).r);
 #endif
 #ifdef SHORE_FIELD
     vec4 shore_field = shore_field_at(position.xy);
