@@ -15,7 +15,7 @@ ORDER = ("File", "Edit", "Brush", "Light", "Weather", "Place", "Time", "View")
 INNER = {"In the middle": "Place", "Clouds to paint": "Brush"}  # menus within others
 RULED = {
     "import", "weather_import", "quit", "abort", "frame", "next_view", "brush.raise", "storm", "tool.prop", "prop_file",
-    "object.delete",
+    "object.delete", "tenth", "marker", "events",
 }  # a line above these  # fmt: skip
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),

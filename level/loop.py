@@ -74,6 +74,14 @@ def loop_changes(level) -> list[Change]:
     return rows
 
 
+def looped_shore(settings):
+    """The shore waves' section with the interval that the loop makes of theirs."""
+    shore, loop_s = settings.shore, settings.time.loop_s
+    if loop_s <= 0:
+        return shore
+    return shore.model_copy(update={"interval_s": looped(shore.interval_s, loop_s)})
+
+
 def looped_omega(omega: np.ndarray, loop_s: float) -> np.ndarray:
     """Angular frequencies (n,) whose periods divide the loop; those that stand, stand."""
     return np.array([2 * math.pi / looped(2 * math.pi / w, loop_s) if w > 0 else w for w in omega])

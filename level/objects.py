@@ -184,9 +184,26 @@ class WeatherKey(Placed):
     radius_m: float = param(0.0, 0, 35_000, "m", "Its circle; 0: everywhere.", soft=(0, 15_000))
 
 
+class Marker(Placed):
+    """A named moment of the clock, to go back to (T05)."""
+
+    placeless: ClassVar[bool] = True
+    kind: Literal["marker"] = "marker"
+    time_s: float = param(0.0, 0, 1e9, "s", "The moment.", soft=(0, 600))
+
+
+class Probe(Placed):
+    """A point whose water is watched: its height over time, and when crests come (T06)."""
+
+    kind: Literal["probe"] = "probe"
+    rise_m: float = param(
+        0.1, 0, 20, "m", "How far a crest rises over the troughs beside it; smaller ones don't count.", soft=(0, 1)
+    )
+
+
 _KINDS = (
     Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaterTable, PointLight, Prop, Hit, Mover,
-    WeatherKey, Shot,
+    WeatherKey, Shot, Marker, Probe,
 )  # fmt: skip
 OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]

@@ -53,10 +53,10 @@ class ShoreMap:
             return [Rect(0, 0, rows, cols)]
         return [rect for at, rect in self.log if at > revision]
 
-    def at(self, x, y, tide_m: float = 0.0) -> dict[str, Dual]:
+    def at(self, x, y, tide_m=0.0) -> dict[str, Dual]:
         """Bilinear values with gradients at world points (arrays), by channel; constant outside the level.
 
-        `tide_m` is how far the sea stands over its mean level.
+        `tide_m` is how far the sea stands over its mean level, a number or one a point.
         """
         rows, cols = self.packed.shape[:2]
         u, v = np.asarray(x) / self.cell_m, np.asarray(y) / self.cell_m
@@ -66,7 +66,7 @@ class ShoreMap:
         v00, v10 = (self._texels(row, col + i, tide_m) for i in (0, 1))
         v01, v11 = (self._texels(row + 1, col + i, tide_m) for i in (0, 1))
         south, north = v00 + (v10 - v00) * fu, v01 + (v11 - v01) * fu
-        value = south + (north - south) * fv + np.array([tide_m, tide_m, 0.0, tide_m])
+        value = south + (north - south) * fv + np.asarray(tide_m)[..., None] * np.array([1.0, 1.0, 0.0, 1.0])
         dx = ((v10 - v00) * (1 - fv) + (v11 - v01) * fv) / self.cell_m * (u == ui)[..., None]
         dy = (north - south) / self.cell_m * (v == vi)[..., None]
         bed = {name: Dual(value[..., i], dx[..., i], dy[..., i]) for i, name in enumerate(CHANNELS)}
@@ -76,7 +76,7 @@ class ShoreMap:
         bed["within"] = 1.0 - step(0.0, BEYOND_M, Dual(away, out_x / reach, out_y / reach))
         return bed
 
-    def _texels(self, row, col, tide_m: float) -> np.ndarray:
+    def _texels(self, row, col, tide_m) -> np.ndarray:
         texels = self.packed[row, col].astype(np.float64)
         if self.tidal:
             texels[..., 2] = texels[..., 2] < np.float32(tide_m)

@@ -44,9 +44,10 @@ def clock_uniforms(shore: Shore, t: float, loop_s: float = 0.0) -> dict[str, flo
     `u_shore_turns`: after so many waves the same ones come again, 0 for never; `t` lies in the loop then (loop.py).
     """
     waves = t / shore.interval_s / shore.count
+    whole = np.floor(waves).astype(np.int64) if np.ndim(t) else math.floor(waves)
     return {
-        "u_shore_clock": waves - math.floor(waves),
-        "u_shore_cycle": math.floor(waves) % (LATTICE * 64),
+        "u_shore_clock": waves - whole,
+        "u_shore_cycle": whole % (LATTICE * 64),
         "u_shore_turns": turns(shore.interval_s, loop_s),
     }
 

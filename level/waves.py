@@ -110,7 +110,10 @@ def surface_at(
 
 
 def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceField | None = None) -> SeaSample:
-    """The surface at **world** points x, y (metres, arrays) and time t; the lateral shift is inverted."""
+    """The surface at **world** points x, y (metres, arrays) and time t; the lateral shift is inverted.
+
+    Without weather keys `t` may be an array of the points' shape, each with a time of its own.
+    """
     level, t = level_at(level, t), moment(t, level.settings.time.loop_s)
     x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
     shore = shore_map(level)

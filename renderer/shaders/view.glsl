@@ -103,6 +103,21 @@ vec3 ripple_normal(Surface s, vec3 relative) {
     return normalize(vec3(-water_ripples(s.before, long_m).xy, 1.0));
 }
 
+uniform vec2 u_tide_band_m;  // low and high water, heights in the level
+
+// Where the tide goes, from the ground's height and slopes: colours by height, lines where still water stands.
+vec3 tide_band(vec3 ground, float pixel_m) {
+    float low = u_tide_band_m.x, high = u_tide_band_m.y, height = ground.x;
+    vec3 value = height < low ? mix(vec3(0.12, 0.38, 0.62), vec3(0.03, 0.08, 0.22), clamp((low - height) / 6.0, 0.0, 1.0))
+                 : height < high ? mix(vec3(0.85, 0.62, 0.25), vec3(0.98, 0.88, 0.55), (height - low) / max(high - low, 1e-3))
+                                 : mix(vec3(0.30, 0.42, 0.24), vec3(0.16, 0.22, 0.14), clamp((height - high) / 12.0, 0.0, 1.0));
+    float rise_m = max(length(ground.yz), 0.01) * max(pixel_m, 1e-4);  // a pixel's height
+    vec3 lines = vec3(low, u_still_m, high), away = abs(vec3(height) - lines) / rise_m;
+    vec3 drawn = 1.0 - smoothstep(vec3(0.8), vec3(1.8), away);
+    value = mix(value, vec3(0.95), 0.9 * max(drawn.x, drawn.z));
+    return mix(value, vec3(0.8, 0.15, 0.1), 0.9 * drawn.y);
+}
+
 void main() {
 #ifdef INSET
     ivec2 pixel = ivec2(inset_part() * vec2(textureSize(g_eye_depth, 0)));
