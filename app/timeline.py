@@ -1,5 +1,5 @@
-"""The timeline: run or pause, one step, scrub, rate, loop; ticks stand where a wave leaves the outer edge (T05),
-bands where a key changes the weather (D36).
+"""The timeline: run or pause, steps, scrub, markers, rate, loop; ticks stand where a wave leaves the outer edge (T05),
+bands where a key changes the weather (D36), a thin line where the tide stands (D31).
 """
 
 from __future__ import annotations
@@ -14,10 +14,12 @@ from ..level.weather_keys import keys_of
 from . import theme, timeline_marks
 from .editor import Editor
 from .param_widgets import slider, tooltip
+from .time_edits import wave_s
 from .timeline_marks import Strip
 
 PAGE_S = 60.0  # without a loop the bar shows the page of this length that time is on
 BAR_PX = 24
+HELD_PX = 3.0  # a hand is never quite still: a shorter way is a click
 RATE = row(Settings, "time.rate")
 
 
@@ -41,6 +43,7 @@ class Timeline:
     def __init__(self, editor: Editor) -> None:
         self.editor = editor
         self._ran = False  # time ran before the scrubbing began
+        self._held = ""  # id of the marker that is dragged
 
     def draw(self) -> None:
         clock = self.editor.session.clock
@@ -51,7 +54,7 @@ class Timeline:
             imgui.text_colored(theme.colour(theme.WARM if clock.paused else theme.INK), clock_text(clock.time_s))
         tooltip("Time of the world. Everything that moves is a function of it.")
         rest = 250
-        imgui.same_line(imgui.get_cursor_start_pos().x + 220)
+        imgui.same_line(imgui.get_cursor_start_pos().x + 338)
         self._bar(max(imgui.get_content_region_avail().x - rest, 60))
         imgui.same_line(0, 12)
         self._rate()
@@ -61,9 +64,12 @@ class Timeline:
     def _transport(self) -> None:
         session = self.editor.session
         rows = (
+            ("backward_fast", "wave_back", "«", "One wave back (Ctrl+,); Shift+, goes a tenth of one"),
             ("backward_step", "step_back", "Back", "One step back ( , )"),
             ("play" if session.clock.paused else "pause", "pause", "Run", "Run or pause (Space)"),
             ("forward_step", "step", "Step", "One step on ( . )"),
+            ("forward_fast", "wave", "»", "One wave on (Ctrl+.); Shift+. goes a tenth of one"),
+            ("bookmark", "marker", "Mark", "Mark this moment (K); Shift+K and Ctrl+K go to the next marker and back"),
         )
         for number, (glyph, action, word, doc) in enumerate(rows):
             if number:
@@ -71,7 +77,7 @@ class Timeline:
             lit = action == "pause" and session.clock.paused
             if lit:
                 imgui.push_style_color(imgui.Col_.button, theme.colour(theme.ACCENT_DEEP))
-            wide = imgui.ImVec2(54 if action == "pause" else 38, 0)
+            wide = imgui.ImVec2(54 if action == "pause" else 34, 0)
             if imgui.button(f"{theme.icon(glyph) or word}###time_{action}", wide):
                 self.editor.do(action)
             if lit:
@@ -91,14 +97,29 @@ class Timeline:
             clock.paused = True
             if under:
                 session.selected = under[-1].id
+            self._held = under[-1].id if under and under[-1].kind == "marker" else ""
         if imgui.is_item_active():
             part = min(max((imgui.get_mouse_pos().x - corner.x) / width, 0), 1)
-            session.scrub(first + part * (last - first))
+            self._scrub(first + part * (last - first))
         if imgui.is_item_deactivated():
             clock.paused = not self._ran
+            self._held = ""
+            session.seal()
         self._paint(strip, imgui.is_item_hovered())
         told = "\n".join(timeline_marks.sentence(thing) for thing in under)
         tooltip(told or "Drag to scrub. A tick for every wave that sets out, a bar for every shot, a band for weather.")
+
+    def _scrub(self, time_s: float) -> None:
+        """Time follows the pointer; a marker in hand is moved once the pointer has, else time goes to it."""
+        session = self.editor.session
+        marker = session.level.objects.get(self._held)
+        if marker is None:
+            session.scrub(time_s)
+        elif imgui.is_mouse_dragging(0, HELD_PX):
+            self.editor.attempt(session.alter, marker.id, {"time_s": round(time_s, 3)}, True)
+            session.scrub(round(time_s, 3))
+        else:
+            session.scrub(marker.time_s)
 
     def _paint(self, strip: Strip, hovered: bool) -> None:
         clock = self.editor.session.clock
@@ -128,7 +149,7 @@ class Timeline:
 
     def _waves(self, first: float, last: float) -> list[float]:
         """Moments in the bar at which a wave sets out, at most a hundred."""
-        interval = self.editor.session.level.settings.shore.interval_s
+        interval = wave_s(self.editor.session)
         if (last - first) / interval > 100:
             return []
         count = math.ceil(first / interval)
@@ -155,14 +176,16 @@ class Timeline:
         clicked = imgui.button(theme.titled("repeat", "Loop", "loop"))
         if on:
             imgui.pop_style_color()
-        tooltip("Loop over one wave's whole way from here on. Settings, section Time, hold start and end.")
+        tooltip("Loop over one wave's whole way from here on, or over time.loop_s, which comes round without a seam.\n"
+                "Settings, section Time, hold start and end.")  # fmt: skip
         if clicked:
             self._toggle_loop(on)
 
     def _toggle_loop(self, on: bool) -> None:
         session = self.editor.session
-        shore = session.level.settings.shore
+        settings = session.level.settings
         start = 0.0 if on else round(session.clock.time_s, 2)
-        end = 0.0 if on else start + shore.interval_s * shore.count
+        long_s = settings.time.loop_s or settings.shore.interval_s * settings.shore.count
+        end = 0.0 if on else start + long_s
         values = {"time.loop_start_s": start, "time.loop_end_s": end}
         self.editor.attempt(session.set_all, "Stop looping" if on else "Loop", values)

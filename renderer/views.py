@@ -198,9 +198,9 @@ VIEWS: dict[str, View] = {
              "vec3(rain_at(position.xy, ground.x - u_sea_level_m).x)", "grey", 0, 20, ids="Z18"),
         View("snow_rate", "Snowfall", "Snow that falls from them, 20 mm/h of water to white.",
              "vec3(rain_at(position.xy, ground.x - u_sea_level_m).y)", "grey", 0, 20, ids="Z24"),
-        View("tide_band", "Tide band", "Blue is always under water, sand falls dry and comes under, green is always dry; "
-             "lines at low, mean and high water.", "tide_band(ground_sample(below), s.eye_depth * u_pixel_angle)", "direct",
-             ids="D31"),
+        View("tide_band", "Tide band", "Blue is always under water, sand falls dry and comes under, green is dry; "
+             "lines at low, mean and high water.",
+             "tide_band(ground_sample(below), below, s.eye_depth * u_pixel_angle)", "direct", ids="D31"),
         View("walkable", "Walkable", "Green where the player can go, red beyond.",
              "walkable > 0.5 ? vec3(0.1, 0.7, 0.2) : vec3(0.8, 0.1, 0.1)", "direct", ids="D31"),
         *CLOUD_VIEWS,

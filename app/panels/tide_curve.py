@@ -82,9 +82,8 @@ def draw(editor: Editor) -> None:
 
 def to_px(corner, width: float, at, height):
     """Screen pixels of parts of the period and heights."""
-    return corner.x + EDGE_PX + at * (width - 2 * EDGE_PX), corner.y + PLOT_PX - EDGE_PX - height * (
-        PLOT_PX - 2 * EDGE_PX
-    )
+    foot = corner.y + PLOT_PX - EDGE_PX
+    return corner.x + EDGE_PX + at * (width - 2 * EDGE_PX), foot - height * (PLOT_PX - 2 * EDGE_PX)
 
 
 def _backdrop(editor: Editor, corner, width: float) -> None:

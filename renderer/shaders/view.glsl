@@ -106,7 +106,8 @@ vec3 ripple_normal(Surface s, vec3 relative) {
 uniform vec2 u_tide_band_m;  // low and high water, heights in the level
 
 // Where the tide goes, from the ground's height and slopes: colours by height, lines where still water stands.
-vec3 tide_band(vec3 ground, float pixel_m) {
+vec3 tide_band(vec3 ground, vec2 xy, float pixel_m) {
+    if (any(lessThan(xy, vec2(0.0))) || any(greaterThan(xy, u_extent_m))) return vec3(0.02, 0.04, 0.09);
     float low = u_tide_band_m.x, high = u_tide_band_m.y, height = ground.x;
     vec3 value = height < low ? mix(vec3(0.12, 0.38, 0.62), vec3(0.03, 0.08, 0.22), clamp((low - height) / 6.0, 0.0, 1.0))
                  : height < high ? mix(vec3(0.85, 0.62, 0.25), vec3(0.98, 0.88, 0.55), (height - low) / max(high - low, 1e-3))
