@@ -53,8 +53,8 @@ class Timeline:
         with theme.bold():
             imgui.text_colored(theme.colour(theme.WARM if clock.paused else theme.INK), clock_text(clock.time_s))
         tooltip("Time of the world. Everything that moves is a function of it.")
-        rest = 250
-        imgui.same_line(imgui.get_cursor_start_pos().x + 338)
+        rest = 222
+        imgui.same_line(imgui.get_cursor_start_pos().x + 290)
         self._bar(max(imgui.get_content_region_avail().x - rest, 60))
         imgui.same_line(0, 12)
         self._rate()
@@ -73,11 +73,11 @@ class Timeline:
         )
         for number, (glyph, action, word, doc) in enumerate(rows):
             if number:
-                imgui.same_line(0, 4)
+                imgui.same_line(0, 3)
             lit = action == "pause" and session.clock.paused
             if lit:
                 imgui.push_style_color(imgui.Col_.button, theme.colour(theme.ACCENT_DEEP))
-            wide = imgui.ImVec2(54 if action == "pause" else 34, 0)
+            wide = imgui.ImVec2(46 if action == "pause" else 28, 0)
             if imgui.button(f"{theme.icon(glyph) or word}###time_{action}", wide):
                 self.editor.do(action)
             if lit:
@@ -157,7 +157,7 @@ class Timeline:
 
     def _rate(self) -> None:
         session = self.editor.session
-        imgui.set_next_item_width(110)
+        imgui.set_next_item_width(96)
         rate = session.level.settings.time.rate
         changed, new = slider("###rate", rate, *RATE.soft, "speed %.2f×")
         if imgui.is_item_clicked(imgui.MouseButton_.right):

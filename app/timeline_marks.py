@@ -140,7 +140,8 @@ def _flag(strip: Strip, marker: Marker, selected: bool) -> None:
     draw_list.add_triangle_filled(*(imgui.ImVec2(*corner) for corner in corners), ink)
     wide = imgui.calc_text_size(marker.id).x
     left = x + FLAG_PX + 2 if x + FLAG_PX + 2 + wide < strip.right else x - wide - 4
-    draw_list.add_text(imgui.ImVec2(left, strip.top + 1), ink, marker.id)
+    if left > strip.left:
+        draw_list.add_text(imgui.ImVec2(left, strip.top + 1), ink, marker.id)
 
 
 def _tide(level: Level, strip: Strip) -> None:

@@ -18,6 +18,8 @@ from .loop import looped, moment
 from .params import Section, param
 
 MOST_POINTS = 16
+LEFT = 17  # heights of the band for which it is known since when they are dry
+PAST = 257  # moments of the last period that are looked at
 
 
 class Tide(Section):
@@ -86,6 +88,18 @@ def band_m(settings) -> tuple[float, float]:
         return 0.0, 0.0
     heights = tide.curve[1::2]
     return tide.range_m * (min(heights) - 0.5), tide.range_m * (max(heights) - 0.5)
+
+
+def left_s(settings, t: float, count: int = LEFT) -> np.ndarray:
+    """Seconds since the still sea last stood at `count` heights from low to high water, float32; 0 under it."""
+    low_m, high_m = band_m(settings)
+    period_s = looped(settings.tide.period_s, settings.time.loop_s)
+    if not settings.tide.on or 0 < settings.time.loop_s < settings.tide.period_s:
+        return np.zeros(count, np.float32)  # a tide that stands has left nothing
+    ago_s = np.linspace(0, period_s, PAST)
+    highest = np.maximum.accumulate(tide_m(settings, moment(t, settings.time.loop_s) - ago_s + period_s))
+    first = np.concatenate([[True], np.diff(highest) > 0])  # each height at the latest time that the sea stood there
+    return np.interp(np.linspace(low_m, high_m, count), highest[first], ago_s[first]).astype(np.float32)
 
 
 def sea_level_at(level, t):

@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 from coasts import make_beach
+from points import feedback
 from shorewright.level import BadInput, Settings
 from shorewright.level.params import replace
 from shorewright.level.shore import shore_map
-from shorewright.level.tide import band_m, curve_at, sea_level_at, tide_m
-from shorewright.level.waves import sea_at
+from shorewright.level.tide import band_m, curve_at, left_s, sea_level_at, tide_m
+from shorewright.level.walk import highest_sea_m, walkable
+from shorewright.level.waves import sea_at, surface_at
 from shorewright.level.weather_keys import level_at
 
 
@@ -89,3 +91,52 @@ def test_low_water_dries_what_it_leaves():
         reached = shore_map(level).bottleneck + np.float32(tide) > -limit
         assert (sea[reached]).all()
         assert (sea & ~reached).sum() <= 3 * 129  # the bank beside it
+
+
+@pytest.mark.parametrize("t", [20.0, 90.0])
+def test_shader_and_twin_agree_at_any_tide(ctx, t):
+    """D30, D31: within a millimetre over rough ground with pools, at half flood and near low water, in a loop too."""
+    level = make_beach(rows=257, cols=257, slope=0.03, rough_m=0.15)
+    for name, value in {"tide.on": True, "tide.range_m": 2.4, "tide.period_s": 200.0, "time.loop_s": 400.0}.items():
+        level.set(name, value)
+    at = np.random.default_rng(3).uniform(0, 1, (4000, 2)) * np.array(level.grid.extent_m)
+    at = at.astype(np.float32)
+    got, want = feedback(ctx, level, t, at), surface_at(level, t, *at.astype(np.float64).T)
+    assert np.abs(got[:, 2] - want.height_m).max() < 1e-3
+    assert np.abs(got[:, 4] - want.shore.line).max() < 5e-3
+    level.set("tide.on", False)
+    assert np.abs(feedback(ctx, level, t, at)[:, 2] - got[:, 2]).max() > 0.3
+
+
+def test_what_the_ebb_left_is_known_by_height():
+    """D31, L06: seconds since each height fell dry, by the cosine's own inverse; 0 under the sea."""
+    level = tidal(period_s=200.0)
+    heights = np.linspace(-1, 1, 17)
+    since = 50.0 - 200 / (2 * np.pi) * np.arccos(heights)  # at t = 50 s the sea falls through the mean
+    assert np.allclose(left_s(level.settings, 50.0), np.maximum(since, 0.0), atol=1.0)
+    assert (left_s(level.settings, 200.0) < 1.0).all()  # high water
+
+
+def test_walkable_ground_follows_the_tide_without_a_new_map():
+    """D31: the height of sea up to which one walks says at every tide what the twin's test says."""
+    level = tidal(range_m=3.0)
+    limit = highest_sea_m(level, level.grid.rect)
+    shares = []
+    for t in (0.0, 60.0, 100.0):
+        now = level_at(level, t)
+        assert np.mean((now.sea_level_m <= limit) == walkable(now)) > 0.99  # a row of cells lies on the limit
+        shares.append(walkable(now).mean())
+    assert shares[0] < shares[1] < shares[2]
+
+
+def test_a_moving_tide_sends_no_map_again(renderer):
+    """D31, T14: frames at other tides send nothing but uniforms."""
+    from shorewright.level.framing import cameras
+
+    level = tidal()
+    camera = cameras(level)[0]
+    sent = []
+    for t in (0.0, 25.0, 50.0, 75.0):
+        renderer.draw(level, camera, (48, 32), t, view="walkable", quality="low")
+        sent.append({name: renderer.uploader.sent[name] for name in ("u_bed", "u_beach", "u_height", "u_walkable")})
+    assert all(counts == sent[0] for counts in sent)

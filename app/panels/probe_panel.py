@@ -63,8 +63,12 @@ class ProbePanel:
         size = ImVec2(-1, min(max(room, LEAST_PX), MOST_PX))
         if not implot.begin_plot("###probes", size, implot.Flags_.no_menus | implot.Flags_.no_mouse_text):
             return
-        implot.setup_axes("s", "m", implot.AxisFlags_.none, implot.AxisFlags_.auto_fit)
+        implot.setup_axes("s", "m")
         implot.setup_axis_limits(implot.ImAxis_.x1, *span, imgui.Cond_.always)
+        if np.isfinite(heights).any():
+            low, high = float(np.nanmin(heights)), float(np.nanmax(heights))
+            spare = 0.1 * max(high - low, 0.2)
+            implot.setup_axis_limits(implot.ImAxis_.y1, low - spare, high + 3 * spare, imgui.Cond_.always)
         implot.setup_legend(implot.Location_.north_west, implot.LegendFlags_.horizontal)
         for number, name in enumerate(self.record.names):
             known = np.isfinite(heights[number])

@@ -103,8 +103,6 @@ vec3 ripple_normal(Surface s, vec3 relative) {
     return normalize(vec3(-water_ripples(s.before, long_m).xy, 1.0));
 }
 
-uniform vec2 u_tide_band_m;  // low and high water, heights in the level
-
 // Where the tide goes, from the ground's height and slopes: colours by height, lines where still water stands.
 vec3 tide_band(vec3 ground, vec2 xy, float pixel_m) {
     if (any(lessThan(xy, vec2(0.0))) || any(greaterThan(xy, u_extent_m))) return vec3(0.02, 0.04, 0.09);
