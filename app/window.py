@@ -36,6 +36,7 @@ from .viewport import Viewport
 log = logging.getLogger(__name__)
 SOFTWARE = ("llvmpipe", "softpipe", "swiftshader", "software")
 GLFW = ("libglfw.so.3", "libglfw*.dylib", "glfw*.dll")  # beside imgui-bundle's own module, and loaded by it
+WATCHDOG_S = 300.0  # a driven window may be slow: after its own 60 s the test engine would drop all that follows
 STILL_FPS = 12.0  # how often a still window looks at its widgets
 Drive = Callable[[object, "Window"], None]
 
@@ -213,7 +214,9 @@ class Window:
         engine = hello_imgui.get_imgui_test_engine()
         test = imgui.test_engine.register_test(engine, "editor", "driven")
         test.test_func = self._driven
-        imgui.test_engine.get_io(engine).config_run_speed = imgui.test_engine.TestRunSpeed.fast
+        engine_io = imgui.test_engine.get_io(engine)
+        engine_io.config_run_speed = imgui.test_engine.TestRunSpeed.fast
+        engine_io.config_watchdog_warning = engine_io.config_watchdog_kill_test = WATCHDOG_S
         imgui.test_engine.queue_test(engine, test)
 
     def _driven(self, ctx) -> None:

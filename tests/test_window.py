@@ -169,6 +169,13 @@ def test_objects_are_dropped_dragged_renamed_and_deleted(drive):
     assert found["stop"][0] != found["stop"][1]
     assert found["stop_steps"] == 1
     assert found["deleted"]
+    assert found["back"]
+    assert found["bad"] == []
+
+
+def test_probes_are_dropped_and_drawn(drive):
+    """T06: two clicks, two lines; the form for crest times."""
+    found = drive("probes")
     assert found["tool_at_last"] == "brush"
     assert found["same_ground"]
 
@@ -184,7 +191,7 @@ def test_waves_panel_cuts_through_the_pointer(drive):
 
 
 def test_time_is_worked_by_hand(drive):
-    """T05, T06: marker made, dragged, jumped to and deleted; steps by waves; probes dropped and drawn; the form."""
+    """T05: a marker made, dragged, jumped to and deleted; steps by waves."""
     found = drive("timing")
     assert found["marked"] == [12.0]
     assert found["wave"] == pytest.approx(21.0)
