@@ -473,7 +473,7 @@ def probes(hands: Hands) -> None:
         ctx.yield_(1)
         if hands.window.probes.record.complete and hands.window.probes.drawn == 2:
             break
-    _, heights = hands.window.probes.record.lines(10.0, 40.0)
+    _, heights = hands.window.probes.record.lines(10.0, 30.0)
     names = sorted(name for name in session.level.objects if name.startswith("probe"))
     hands.note(probes=names, drawn=hands.window.probes.drawn, moves=float(np.nanmax(np.ptp(heights, axis=1))))
     hands.until(lambda: hands.window.dialogs.open, lambda: ctx.item_click("//Probes/###probes_events"))
