@@ -14,7 +14,7 @@ from ..time_edits import wave_s
 from .probe_panel import line_spec
 
 QUIET = implot.Flags_.no_menus | implot.Flags_.no_mouse_text
-MASKS_PX, LEAST_CUT_PX, MOST_CUT_PX = 150, 170, 380
+MASKS_PX, LEAST_CUT_PX, MOST_CUT_PX = 140, 210, 400
 SAND = (0.72, 0.58, 0.38)
 MASKS = (("line", "line", theme.INK), ("back", "back", theme.BLUE), ("fall", "fall", theme.WARM))
 STILL_SAMPLES, MOVING_SAMPLES = 200, 120
@@ -81,9 +81,11 @@ class WavesPanel:
         implot.setup_axes("", "m", fit, fit)
         implot.setup_axis_limits(implot.ImAxis_.x1, float(x[0]), float(x[-1]), imgui.Cond_.always)
         implot.setup_axis_limits(implot.ImAxis_.y1, *_span(cut, band), imgui.Cond_.always)
-        implot.setup_legend(implot.Location_.north_west, implot.LegendFlags_.horizontal)
+        implot.setup_legend(implot.Location_.south_east)  # over the ground, where nothing is to be seen
         wet = implot.Spec(fill_color=ImVec4(*theme.BLUE, 1.0), fill_alpha=0.35, line_color=ImVec4(0, 0, 0, 0))
         implot.plot_shaded("range", x, *band, spec=wet)
+        for name, edge in zip(("###lowest", "###highest"), band, strict=True):
+            implot.plot_line(name, x, edge, spec=line_spec(theme.BLUE, 0.45, 1.0))
         sand = implot.Spec(fill_color=ImVec4(*SAND, 1.0), fill_alpha=0.35, line_color=ImVec4(0, 0, 0, 0))
         implot.plot_shaded("###ground", x, cut.ground_m, -1e4, spec=sand)
         implot.plot_line("bed", x, cut.ground_m, spec=line_spec(SAND, 1.0, 1.8))
