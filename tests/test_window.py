@@ -175,7 +175,7 @@ def test_objects_are_dropped_dragged_renamed_and_deleted(drive):
 
 def test_probes_are_dropped_and_drawn(drive):
     """T06: two clicks, two lines; the form for crest times."""
-    found = drive("probes")
+    found = drive("water_probes")
     assert found["tool_at_last"] == "brush"
     assert found["same_ground"]
 
@@ -192,7 +192,7 @@ def test_waves_panel_cuts_through_the_pointer(drive):
 
 def test_time_is_worked_by_hand(drive):
     """T05: a marker made, dragged, jumped to and deleted; steps by waves."""
-    found = drive("timing")
+    found = drive("time_by_hand")
     assert found["marked"] == [12.0]
     assert found["wave"] == pytest.approx(21.0)
     assert found["tenth"] == pytest.approx(12.9)

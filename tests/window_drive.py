@@ -417,7 +417,7 @@ def waves(hands: Hands) -> None:
     hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
 
 
-def timing(hands: Hands) -> None:
+def time_by_hand(hands: Hands) -> None:
     """Time by hand: a marker by its button, dragged on the bar, jumped to; steps by a wave."""
     ctx, session = hands.ctx, hands.session
     session.set_all("Tide", {"tide.on": True, "tide.period_s": 40.0})
@@ -459,7 +459,7 @@ def timing(hands: Hands) -> None:
     hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
 
 
-def probes(hands: Hands) -> None:
+def water_probes(hands: Hands) -> None:
     """Two probes dropped in the sea, their panel, and the form that writes crest times (T06)."""
     ctx, session = hands.ctx, hands.session
     session.pause()
