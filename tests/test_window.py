@@ -169,13 +169,6 @@ def test_objects_are_dropped_dragged_renamed_and_deleted(drive):
     assert found["stop"][0] != found["stop"][1]
     assert found["stop_steps"] == 1
     assert found["deleted"]
-    assert found["back"]
-    assert found["bad"] == []
-
-
-def test_probes_are_dropped_and_drawn(drive):
-    """T06: two clicks, two lines; the form for crest times."""
-    found = drive("water_probes")
     assert found["tool_at_last"] == "brush"
     assert found["same_ground"]
 
@@ -201,6 +194,13 @@ def test_time_is_worked_by_hand(drive):
     assert found["jumped"] == found["dragged"]
     assert found["selected"] == "marker-1"
     assert found["deleted"]
+    assert found["back"]
+    assert found["bad"] == []
+
+
+def test_probes_are_dropped_and_drawn(drive):
+    """T06: two clicks, two lines; the form for crest times."""
+    found = drive("water_probes")
     assert found["probes"] == ["probe-1", "probe-2"]
     assert found["drawn"] == 2
     assert found["moves"] > 0.1
