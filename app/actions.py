@@ -17,7 +17,7 @@ from ..level.objects import Shot, WaveObject
 from ..level.weather_presets import WEATHERS
 from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
-from . import placing, sky_brush
+from . import placing, sky_brush, time_edits
 from .session import Session
 from .tools import BRUSH, SELECT, TOOLS, Tool, pick_tool, put_away
 
@@ -112,6 +112,19 @@ def _rows() -> list[Action]:
         Action("pause", "Pause or run", ("Space",), "Time", Session.toggle_pause),
         Action("step", "One step on", (".",), "Time", lambda s: s.step_time(1), repeats=True),
         Action("step_back", "One step back", (",",), "Time", lambda s: s.step_time(-1), repeats=True),
+        *(
+            Action(name, title, keys, "Time", _wave_step(waves), repeats=True)
+            for name, title, keys, waves in (
+                ("tenth", "A tenth of a wave on", ("Shift+.",), 0.1),
+                ("tenth_back", "A tenth of a wave back", ("Shift+,",), -0.1),
+                ("wave", "One wave on", ("Ctrl+.",), 1.0),
+                ("wave_back", "One wave back", ("Ctrl+,",), -1.0),
+            )
+        ),
+        Action("marker", "Mark this moment", ("K",), "Time", time_edits.add_marker),
+        Action("marker_next", "To the next marker", ("Shift+K",), "Time", _jump(1), time_edits.has_marker),
+        Action("marker_before", "To the marker before", ("Ctrl+K",), "Time", _jump(-1), time_edits.has_marker),
+        Action("events", "Export crest times…", (), "Time", lambda s: s.ask("events"), time_edits.has_probe),
         Action("water", "Water", ("Shift+W",), "View", _show("water")),
         Action("walkable", "Walkable ground", ("N",), "View", lambda s: s.ask("walkable")),
         Action("outline", "Border of the level", (), "View", lambda s: s.ask("outline")),
@@ -159,6 +172,14 @@ def _rows() -> list[Action]:
             for row in CLOUD_TYPES.values()
         ),
     ]
+
+
+def _wave_step(waves: float) -> Callable[[Session], None]:
+    return lambda session: time_edits.step_wave(session, waves)
+
+
+def _jump(way: int) -> Callable[[Session], None]:
+    return lambda session: time_edits.jump(session, way)
 
 
 def _cloud(name: str) -> Callable[[Session], None]:

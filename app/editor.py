@@ -203,7 +203,8 @@ class Editor:
         cursor, level = self.session.cursor, self.session.level
         if cursor is None:
             return None
-        key = (cursor[:2], id(level), level.revision)
+        time_s = self.session.clock.time_s if level.settings.tide.on else 0.0
+        key = (cursor[:2], id(level), level.revision, time_s)
         if self._probed[0] != key:
-            self._probed = key, probe(level, *cursor[:2])
+            self._probed = key, probe(level, *cursor[:2], time_s)
         return self._probed[1]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from imgui_bundle import imgui
 
-from . import placing, shot_forms, theme
+from . import event_form, placing, shot_forms, theme
 from .editor import Editor
 from .file_forms import ExportForm, Form, ImportForm, NewForm, OpenForm, PathField, SaveAsForm
 from .weather_forms import WeatherExportForm, WeatherImportForm
@@ -33,7 +33,7 @@ class PropForm(Form):
 
 
 FORMS: dict[str, type[Form]] = {
-    "shot_file": shot_forms.ShotForm,
+    "shot_file": shot_forms.ShotForm, "events": event_form.EventForm,
     "new": NewForm, "open": OpenForm, "save_as": SaveAsForm, "import": ImportForm, "export": ExportForm,
     "prop": PropForm, "weather_import": WeatherImportForm, "weather_export": WeatherExportForm,
 }  # fmt: skip

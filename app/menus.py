@@ -16,6 +16,7 @@ INNER = {"In the middle": "Place", "Clouds to paint": "Brush"}  # menus within o
 RULED = {
     "import", "weather_import", "quit", "abort", "frame", "next_view", "brush.raise", "storm", "shot", "sky.fill",
     "tool.prop", "prop_file", "object.delete", "wave.fit",
+    "tenth", "marker", "events",
 }  # a line above these  # fmt: skip
 CAMERA_HELP = (
     ("Left", "brush; Ctrl inverts, Shift smooths, Esc gives up"),

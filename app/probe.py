@@ -9,6 +9,7 @@ from ..level import Level
 from ..level.pick import ground_at
 from ..level.shore import shore_map
 from ..level.shore_waves import front_speed_mps
+from ..level.weather_keys import level_at
 
 
 @dataclass(frozen=True)
@@ -23,8 +24,9 @@ class Probe:
     front_mps: float | None
 
 
-def probe(level: Level, x: float, y: float) -> Probe:
-    """What is at a world point; outside the level, what is at its border."""
+def probe(level: Level, x: float, y: float, time_s: float = 0.0) -> Probe:
+    """What is at a world point at a time; outside the level, what is at its border."""
+    level = level_at(level, time_s)
     cell = level.grid.cell_m
     west, east, south, north, here = (
         float(v) for v in ground_at(level, [x - cell, x + cell, x, x, x], [y, y, y - cell, y + cell, y])
@@ -36,7 +38,7 @@ def probe(level: Level, x: float, y: float) -> Probe:
 def _front(level: Level, x: float, y: float) -> float | None:
     """D03: fronts follow the clock's depth; they exist from the outer edge to the run-up limit, on the sea."""
     shore = level.settings.shore
-    bed = shore_map(level).at([x], [y])
+    bed = shore_map(level).at([x], [y], level.tide_m)
     clock, sea = bed["clock"], float(bed["sea"].v[0])
     s = 1 - float(clock.v[0]) / shore.range_m
     if not shore.on or sea < 0.5 or not 0 <= s <= 1 + shore.runup:

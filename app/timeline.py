@@ -1,5 +1,5 @@
-"""The timeline: run or pause, one step, scrub, rate, loop; ticks stand where a wave leaves the outer edge (T05),
-bands where a key changes the weather (D36).
+"""The timeline: run or pause, steps, scrub, markers, rate, loop; ticks stand where a wave leaves the outer edge (T05),
+bands where a key changes the weather (D36), a thin line where the tide stands (D31).
 """
 
 from __future__ import annotations
@@ -14,6 +14,7 @@ from ..level.weather_keys import keys_of
 from . import theme, timeline_marks
 from .editor import Editor
 from .param_widgets import slider, tooltip
+from .time_edits import wave_s
 from .timeline_drag import SLACK_PX, Grip, dragged, grip_at, hint
 from .timeline_marks import Strip
 
@@ -53,8 +54,8 @@ class Timeline:
         with theme.bold():
             imgui.text_colored(theme.colour(theme.WARM if clock.paused else theme.INK), clock_text(clock.time_s))
         tooltip("Time of the world. Everything that moves is a function of it.")
-        rest = 250
-        imgui.same_line(imgui.get_cursor_start_pos().x + 220)
+        rest = 222
+        imgui.same_line(imgui.get_cursor_start_pos().x + 290)
         self._bar(max(imgui.get_content_region_avail().x - rest, 60))
         imgui.same_line(0, 12)
         self._rate()
@@ -64,17 +65,20 @@ class Timeline:
     def _transport(self) -> None:
         session = self.editor.session
         rows = (
+            ("backward_fast", "wave_back", "«", "One wave back (Ctrl+,); Shift+, goes a tenth of one"),
             ("backward_step", "step_back", "Back", "One step back ( , )"),
             ("play" if session.clock.paused else "pause", "pause", "Run", "Run or pause (Space)"),
             ("forward_step", "step", "Step", "One step on ( . )"),
+            ("forward_fast", "wave", "»", "One wave on (Ctrl+.); Shift+. goes a tenth of one"),
+            ("bookmark", "marker", "Mark", "Mark this moment (K); Shift+K and Ctrl+K go to the next marker and back"),
         )
         for number, (glyph, action, word, doc) in enumerate(rows):
             if number:
-                imgui.same_line(0, 4)
+                imgui.same_line(0, 3)
             lit = action == "pause" and session.clock.paused
             if lit:
                 imgui.push_style_color(imgui.Col_.button, theme.colour(theme.ACCENT_DEEP))
-            wide = imgui.ImVec2(54 if action == "pause" else 38, 0)
+            wide = imgui.ImVec2(46 if action == "pause" else 28, 0)
             if imgui.button(f"{theme.icon(glyph) or word}###time_{action}", wide):
                 self.editor.do(action)
             if lit:
@@ -121,14 +125,18 @@ class Timeline:
             return
         self._moved = self._moved or abs(x - self._pressed_px) > SLACK_PX
         if self._moved and grip.thing.id in session.level.objects:
-            self.editor.attempt(session.alter, grip.thing.id, dragged(grip, strip.time_of(x)), True)
+            values = dragged(grip, strip.time_of(x))
+            self.editor.attempt(session.alter, grip.thing.id, values, True)
+            if grip.thing.kind == "marker":
+                session.scrub(values["time_s"])
 
     def _release(self, strip: Strip, x: float) -> None:
         session = self.editor.session
         if self._moved:
             session.seal()
         elif self._grip:
-            session.scrub(strip.time_of(x))
+            marker = self._grip.thing.kind == "marker"
+            session.scrub(self._grip.thing.time_s if marker else strip.time_of(x))
         session.clock.paused, self._grip, self._moved = not self._ran, None, False
 
     def _paint(self, strip: Strip, hovered: bool) -> None:
@@ -159,7 +167,7 @@ class Timeline:
 
     def _waves(self, first: float, last: float) -> list[float]:
         """Moments in the bar at which a wave sets out, at most a hundred."""
-        interval = self.editor.session.level.settings.shore.interval_s
+        interval = wave_s(self.editor.session)
         if (last - first) / interval > 100:
             return []
         count = math.ceil(first / interval)
@@ -167,7 +175,7 @@ class Timeline:
 
     def _rate(self) -> None:
         session = self.editor.session
-        imgui.set_next_item_width(110)
+        imgui.set_next_item_width(96)
         rate = session.level.settings.time.rate
         changed, new = slider("###rate", rate, *RATE.soft, "speed %.2f×")
         if imgui.is_item_clicked(imgui.MouseButton_.right):
@@ -186,14 +194,16 @@ class Timeline:
         clicked = imgui.button(theme.titled("repeat", "Loop", "loop"))
         if on:
             imgui.pop_style_color()
-        tooltip("Loop over one wave's whole way from here on. Settings, section Time, hold start and end.")
+        tooltip("Loop over one wave's whole way from here on, or over time.loop_s, which comes round without a seam.\n"
+                "Settings, section Time, hold start and end.")  # fmt: skip
         if clicked:
             self._toggle_loop(on)
 
     def _toggle_loop(self, on: bool) -> None:
         session = self.editor.session
-        shore = session.level.settings.shore
+        settings = session.level.settings
         start = 0.0 if on else round(session.clock.time_s, 2)
-        end = 0.0 if on else start + shore.interval_s * shore.count
+        long_s = settings.time.loop_s or settings.shore.interval_s * settings.shore.count
+        end = 0.0 if on else start + long_s
         values = {"time.loop_start_s": start, "time.loop_end_s": end}
         self.editor.attempt(session.set_all, "Stop looping" if on else "Loop", values)

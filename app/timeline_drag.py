@@ -1,4 +1,4 @@
-"""Marks of the timeline in the hand: the ends of a shot, all of it, a key of the weather (Z20, D36)."""
+"""Marks of the timeline in the hand: the ends of a shot, all of it, a key of the weather, a marker (Z20, D36, T05)."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from ..level import Level
 from ..level.objects import Placed, Shot
-from .timeline_marks import Strip, bars, bars_under, keys_under
+from .timeline_marks import Strip, bars, bars_under, keys_under, markers_under
 
 EDGE_PX = 4.0  # to both sides of a shot's end
 SLACK_PX = 3.0  # a press that goes no farther is a click
@@ -27,9 +27,9 @@ class Grip:
 
 
 def grip_at(level: Level, strip: Strip, x: float, y: float, selected: str = "") -> Grip | None:
-    """What a press at a pixel takes hold of: a key, else an end, else a shot; the one in hand before others."""
+    """What a press takes hold of: a marker or a key, else an end, else a shot; the one in hand before others."""
     at_s = strip.time_of(x)
-    if found := keys_under(level, strip, x, y):
+    if found := markers_under(level, strip, x, y) or keys_under(level, strip, x, y):
         return Grip(found[-1], "key", at_s)
     ends = [
         Grip(bar.shot, part, at_s)

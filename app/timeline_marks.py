@@ -4,15 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
 from imgui_bundle import imgui
 
 from ..level import Level
-from ..level.objects import Placed, Shot
+from ..level.objects import Marker, Placed, Shot
+from ..level.tide import tide_m
 from . import theme
 
 LANE_PX = 5.0
 LANES = 3
 KEY_PX, KEY_DOWN_PX = 4.0, 6.0  # half a diamond, and how far down it hangs
+FLAG_PX = 7.0  # a marker's flag, to the right of its pole
+TIDE_PIECES = 120
 
 
 @dataclass(frozen=True)
@@ -41,6 +45,12 @@ def keys(level: Level, first_s: float, last_s: float) -> list[Placed]:
     return [
         thing for thing in level.objects.values() if thing.kind == "weather_key" and first_s <= thing.time_s <= last_s
     ]
+
+
+def markers(level: Level, first_s: float, last_s: float) -> list[Marker]:
+    """Named moments between two others, the latest last."""
+    found = [thing for thing in level.objects.values() if isinstance(thing, Marker)]
+    return sorted((m for m in found if first_s <= m.time_s <= last_s), key=lambda m: (m.time_s, m.id))
 
 
 def outline(shot: Shot, first_s: float, last_s: float) -> list[tuple[float, float]]:
@@ -115,14 +125,24 @@ def keys_under(level: Level, strip: Strip, x: float, y: float) -> list[Placed]:
     ]
 
 
+def markers_under(level: Level, strip: Strip, x: float, y: float) -> list[Placed]:
+    """The markers whose flags are at a pixel."""
+    return [
+        marker
+        for marker in markers(level, strip.first_s, strip.last_s)
+        if -3 <= x - strip.x_of(marker.time_s) <= FLAG_PX + 2 and strip.top - 2 <= y <= strip.bottom
+    ]
+
+
 def under(level: Level, strip: Strip, x: float, y: float) -> list[Placed]:
     """What the marks at a pixel stand for, the uppermost last."""
-    return [*bars_under(level, strip, x, y), *keys_under(level, strip, x, y)]
+    return [*bars_under(level, strip, x, y), *keys_under(level, strip, x, y), *markers_under(level, strip, x, y)]
 
 
 def draw(level: Level, strip: Strip, selected: str) -> None:
     """Draw all marks into a strip of the window."""
     draw_list = imgui.get_window_draw_list()
+    _tide(level, strip)
     for bar in bars(level, strip.first_s, strip.last_s):
         foot = strip.foot(bar.lane)
         corners = outline(bar.shot, strip.first_s, strip.last_s)
@@ -135,3 +155,30 @@ def draw(level: Level, strip: Strip, selected: str) -> None:
         points = [(x - KEY_PX, y), (x, y - KEY_PX), (x + KEY_PX, y), (x, y + KEY_PX)]
         ink = theme.packed(theme.ACCENT_BRIGHT, 1.0 if key.id == selected else 0.8)
         draw_list.add_convex_poly_filled([imgui.ImVec2(*point) for point in points], ink)
+    for marker in markers(level, strip.first_s, strip.last_s):
+        _flag(strip, marker, marker.id == selected)
+
+
+def _flag(strip: Strip, marker: Marker, selected: bool) -> None:
+    """A pole at the moment, a flag on top and its name beside it."""
+    draw_list, x = imgui.get_window_draw_list(), strip.x_of(marker.time_s)
+    ink = theme.packed(theme.WARM, 1.0 if selected else 0.8)
+    draw_list.add_line(imgui.ImVec2(x, strip.top - 1), imgui.ImVec2(x, strip.bottom), ink, 2.0 if selected else 1.5)
+    corners = [(x, strip.top - 1), (x + FLAG_PX, strip.top + 2), (x, strip.top + 5)]
+    draw_list.add_triangle_filled(*(imgui.ImVec2(*corner) for corner in corners), ink)
+    wide = imgui.calc_text_size(marker.id).x
+    left = x + FLAG_PX + 2 if x + FLAG_PX + 2 + wide < strip.right else x - wide - 4
+    if left > strip.left:
+        draw_list.add_text(imgui.ImVec2(left, strip.top + 1), ink, marker.id)
+
+
+def _tide(level: Level, strip: Strip) -> None:
+    """The tide over what is shown, a thin line between the strip's edges."""
+    tide = level.settings.tide
+    if not tide.on or tide.range_m <= 0:
+        return
+    at = np.linspace(strip.first_s, strip.last_s, TIDE_PIECES)
+    part = tide_m(level.settings, at) / tide.range_m + 0.5
+    high = strip.bottom - strip.top - 6
+    points = [imgui.ImVec2(strip.x_of(t), strip.bottom - 3 - high * p) for t, p in zip(at, part)]
+    imgui.get_window_draw_list().add_polyline(points, theme.packed(theme.BLUE, 0.75), 1.2, imgui.ImDrawFlags_.none)

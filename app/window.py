@@ -24,6 +24,7 @@ from .editor import Editor
 from .guard import Guard
 from .palette import Palette
 from .panels import brush_bar, history_panel, layers_panel, log_panel, objects_panel, settings_panel, views_panel
+from .panels.probe_panel import ProbePanel
 from .panels.waves_panel import WavesPanel
 from .panels.weather_panel import WeatherPanel
 from .picture import Picture
@@ -49,6 +50,7 @@ class Window:
         self.palette = Palette(self.editor)
         self.timeline = Timeline(self.editor)
         self.waves = WavesPanel()
+        self.probes = ProbePanel()
         self.weather = WeatherPanel(self.editor)
         self.picture: Picture | None = None
         self.viewport: Viewport | None = None
@@ -125,6 +127,7 @@ class Window:
             "History": lambda: history_panel.draw(editor),
             "Views": lambda: views_panel.draw(editor),
             "Waves": lambda: self.waves.draw(editor),
+            "Probes": lambda: self.probes.draw(editor),
             "Log": lambda: log_panel.draw(editor),
         }
         return {name: self.guard.wrap(name, draw) for name, draw in draws.items()}

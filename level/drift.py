@@ -33,7 +33,7 @@ class Path:
 def drifted(level: Level, prop: Prop, t: float, draft_m: float) -> tuple[float, float]:
     """World x, y of a drifting prop at time t; `draft_m` is how deep it reaches under the still sea."""
     drag, water = level.settings.things.drag, current(level)
-    key = (prop.x, prop.y, drag, draft_m, water.key, level.layer_revision("height"), level.sea_level_m)
+    key = (prop.x, prop.y, drag, draft_m, water.key, level.layer_revision("height"), level.mean_sea_m)
     key += ((whole_keys(level) if water.to_points is not None else ()),)
     paths = level.derived.setdefault("drift", {})
     path = paths.get(prop.id)
@@ -60,6 +60,6 @@ def _moved(level: Level, water: Current, state: tuple, begun_s: float, dt: float
         speed[i] = float(flow) + over * left
     east, north = x + ways[0], y + ways[1]
     inside = 0 <= east <= level.grid.extent_m[0] and 0 <= north <= level.grid.extent_m[1]
-    if not inside or float(ground_at(level, np.array(east), np.array(north))) + draft_m > level.sea_level_m:
+    if not inside or float(ground_at(level, np.array(east), np.array(north))) + draft_m > level.mean_sea_m:
         return x, y, 0.0, 0.0  # aground
     return east, north, *speed

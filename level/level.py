@@ -35,6 +35,7 @@ class Level:
     ):
         self.settings = settings or Settings()
         self.undated: Settings | None = None  # its own ones, in a copy that stands for a moment (weather_keys.py)
+        self.tide_m = 0.0  # of the sea over its mean level, in such a copy (tide.py)
         self.objects: dict[str, object] = {}
         self.meshes: dict[
             str, Mesh
@@ -73,6 +74,12 @@ class Level:
 
     @property
     def sea_level_m(self) -> float:
+        """Height of the still sea at the moment that the level stands for; its mean where it stands for none."""
+        return self.settings.level.sea_level_m + self.tide_m
+
+    @property
+    def mean_sea_m(self) -> float:
+        """Height of the sea without the tide: what maps are made for."""
         return self.settings.level.sea_level_m
 
     def camera(self, name: str) -> Camera:

@@ -7,6 +7,7 @@ from typing import Annotated, ClassVar, Literal, Self, Union
 
 from pydantic import Field, TypeAdapter, field_validator
 
+from .loop import looped
 from .params import Section, param
 
 
@@ -137,9 +138,9 @@ class PointLight(Placed):
     orbit_m: float = param(0.0, 0, 500, "m", "Radius of the circle it goes round its place.", soft=(0, 20))
     period_s: float = param(8.0, 0.5, 1000, "s", "Time of one turn.", soft=(2, 60))
 
-    def place(self, t: float) -> tuple[float, float, float]:
-        """Where it is at time t, world metres."""
-        turn = 2 * math.pi * ((t / self.period_s) % 1.0)
+    def place(self, t: float, loop_s: float = 0.0) -> tuple[float, float, float]:
+        """Where it is at time t, world metres; its turns divide a loop."""
+        turn = 2 * math.pi * ((t / looped(self.period_s, loop_s)) % 1.0)
         return self.x + self.orbit_m * math.sin(turn), self.y + self.orbit_m * math.cos(turn), self.z
 
 
@@ -215,9 +216,26 @@ class WeatherKey(Placed):
     )  # fmt: skip
 
 
+class Marker(Placed):
+    """A named moment of the clock, to go back to (T05)."""
+
+    placeless: ClassVar[bool] = True
+    kind: Literal["marker"] = "marker"
+    time_s: float = param(0.0, 0, 1e9, "s", "The moment.", soft=(0, 600))
+
+
+class Probe(Placed):
+    """A point whose water is watched: its height over time, and when crests come (T06)."""
+
+    kind: Literal["probe"] = "probe"
+    rise_m: float = param(
+        0.1, 0, 20, "m", "How far a crest rises over the troughs beside it; smaller ones don't count.", soft=(0, 1)
+    )
+
+
 _KINDS = (
     Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaveObject, SwellRegion, WaterTable, PointLight,
-    Prop, Hit, Mover, WeatherKey, Shot,
+    Prop, Hit, Mover, WeatherKey, Shot, Marker, Probe,
 )  # fmt: skip
 OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]

@@ -16,6 +16,7 @@ from .level import Level
 from .objects import SeaPatch, ViewCircle
 from .shore import shore_map
 from .shore_field import shore_field
+from .tide import band_m
 
 PATCH_M, BASE_M = 100.0, 10.0
 FADE_M = 20.0  # round an overridden patch, over which waves come back
@@ -215,9 +216,10 @@ def patch_kinds(level: Level) -> PatchKinds:
     lowest = _by_hectare(level.height, level.grid.cell_m, shape, ring, np.min)
     kinds = np.full(shape, OPEN, np.uint8)
     known_m = 0.999 * field.range_m  # the field knows no farther distance
-    kinds[(nearest < min(sea.coastal_m, known_m)) | (clock < shore_reach_m(level))] = COASTAL
+    low_m, high_m = band_m(level.settings)
+    kinds[(nearest < min(sea.coastal_m, known_m)) | (clock + low_m < shore_reach_m(level))] = COASTAL
     kinds[nearest < min(sea.beach_m, known_m)] = BEACH
-    dry = lowest > level.sea_level_m + 2 * largest_height_m(level)
+    dry = lowest > level.mean_sea_m + high_m + 2 * largest_height_m(level)
     dry[: ring + 1], dry[-ring - 1 :], dry[:, : ring + 1], dry[:, -ring - 1 :] = False, False, False, False
     kinds[dry] = REMOVED
     far = np.ones(shape, bool)  # so far past the border no shore wave goes

@@ -24,7 +24,7 @@ def rain_at(level: Level, time_s: float, x, y, camera=None) -> tuple[np.ndarray,
     if not level.settings.clouds.on:
         return np.zeros(x.shape), np.zeros(x.shape)
     sky = weather_at(level, time_s, x, y, camera).astype(np.float64)
-    over_sea = np.maximum(ground_at(level, x, y) - level.sea_level_m, 0.0)
+    over_sea = np.maximum(ground_at(level, x, y) - level.mean_sea_m, 0.0)
     return rain_rate(level.settings.weather, sky[..., 0], sky[..., 1], over_sea)
 
 

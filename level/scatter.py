@@ -196,7 +196,7 @@ def _look(level: Level, x: np.ndarray, y: np.ndarray, kind: Kind) -> tuple[Place
             for east, north in TURNS:
                 foot = np.maximum(foot, (_nearest(level, x + radius * east, y + radius * north) - z) / radius)
     paint, cover = (_layer(level, name, x, y) for name in ("scatter", "cover"))
-    place = Place(x, y, z - level.sea_level_m, slope, np.maximum(foot - slope, 0.0), cover, paint, level.settings,
+    place = Place(x, y, z - level.mean_sea_m, slope, np.maximum(foot - slope, 0.0), cover, paint, level.settings,
                   lattice(level.settings.level.seed), getattr(level.settings.scatter, kind.channel))  # fmt: skip
     return place, gradient
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from .gerstner import Fronts, groups
 from .level import Level
+from .loop import looped_omega
 from .settings import Sea
 from .weather_keys import WeatherKey, base_settings, whole_keys
 from .weather_presets import WAVES, WEATHERS
@@ -39,6 +40,11 @@ def _under(sea: Sea, weather: str) -> Sea:
 
 def fronts_at(level: Level, time_s: float) -> list[Fronts]:
     """The level's groups at a time, high frequency first; without keys those of its settings."""
+    fronts, loop_s = _fronts(level, time_s), level.settings.time.loop_s
+    return [replace(group, omega=looped_omega(group.omega, loop_s)) for group in fronts] if loop_s > 0 else fronts
+
+
+def _fronts(level: Level, time_s: float) -> list[Fronts]:
     keys, seed = whole_keys(level), level.settings.level.seed
     if not any(key.time_s < time_s for key in keys):
         return groups(base_settings(level).sea if keys else level.settings.sea, seed)

@@ -7,6 +7,7 @@ from typing import Literal
 from .params import Section, param
 from .sea_settings import Caustics, Flow, Foam, Force, Glare, Quiet, Things
 from .sky_settings import Clouds, CloudTerms, Rain, Storm, Weather
+from .tide import Tide
 from .timing_settings import Timing
 
 
@@ -230,6 +231,10 @@ class Time(Section):
     rate: float = param(1.0, -8, 8, "×", "Speed of time.", soft=(0, 4))
     loop_start_s: float = param(0.0, 0, 10_000_000, "s", "Start of the loop.", soft=(0, 120))
     loop_end_s: float = param(0.0, 0, 10_000_000, "s", "End of the loop; 0 for none.", soft=(0, 120))
+    loop_s: float = param(
+        0.0, 0, 1e6, "s", "Every period of the sea becomes a divisor of this, and it comes round without a seam; "
+        "0: none. Weather and sky keep to the clock.", soft=(0, 120),
+    )  # fmt: skip
     warm_up_s: float = param(20.0, 0, 600, "s", "How long simulations run before a settled picture is taken.")
 
 
@@ -258,5 +263,6 @@ class Settings(Section):
     ground: Ground = Ground()
     wet: Wet = Wet()
     scatter: Scatter = Scatter()
+    tide: Tide = Tide()
     walk: Walk = Walk()
     time: Time = Time()

@@ -19,6 +19,7 @@ from .dual import Dual, step
 from .grid import Rect
 from .level import Level, merge
 from .objects import SeaSeed
+from .tide import band_m
 
 MOST_SIDE = 1025  # samples a side: larger levels are read with a stride
 LIVE_MARGIN = 24  # cells round a change that are worked out with it
@@ -29,7 +30,11 @@ CHANNELS = ("clock", "depth", "sea", "smoothed")
 
 @dataclass
 class ShoreMap:
-    """`packed` is float32 `(rows, cols, 4)`, row 0 south: clock depth, depth, sea 0 … 1, clock without rocks; m."""
+    """`packed` is float32 `(rows, cols, 4)`, row 0 south: clock depth, depth, sea 0 … 1, clock without rocks; m.
+
+    Depths are those at mean sea level. Where the sea has a tide (`tidal`) the third channel holds the tide over which
+    a cell is sea, and clock depths of cells that only high water reaches are those of high water.
+    """
 
     packed: np.ndarray
     bottleneck: np.ndarray  # least depth on the way from the sea, before smoothing
@@ -38,6 +43,7 @@ class ShoreMap:
     revision: int = 0
     key: tuple = ()
     whole: bool = True
+    tidal: bool = False
     log: deque = field(default_factory=lambda: deque(maxlen=64))
 
     def changed_since(self, revision: int) -> list[Rect]:
@@ -47,17 +53,20 @@ class ShoreMap:
             return [Rect(0, 0, rows, cols)]
         return [rect for at, rect in self.log if at > revision]
 
-    def at(self, x, y) -> dict[str, Dual]:
-        """Bilinear values with gradients at world points (arrays), by channel; constant outside the level."""
+    def at(self, x, y, tide_m=0.0) -> dict[str, Dual]:
+        """Bilinear values with gradients at world points (arrays), by channel; constant outside the level.
+
+        `tide_m` is how far the sea stands over its mean level, a number or one a point.
+        """
         rows, cols = self.packed.shape[:2]
         u, v = np.asarray(x) / self.cell_m, np.asarray(y) / self.cell_m
         ui, vi = np.clip(u, 0, cols - 1), np.clip(v, 0, rows - 1)
         col, row = np.minimum(ui.astype(np.int64), cols - 2), np.minimum(vi.astype(np.int64), rows - 2)
         fu, fv = (ui - col)[..., None], (vi - row)[..., None]
-        v00, v10 = (self.packed[row, col + i].astype(np.float64) for i in (0, 1))
-        v01, v11 = (self.packed[row + 1, col + i].astype(np.float64) for i in (0, 1))
+        v00, v10 = (self._texels(row, col + i, tide_m) for i in (0, 1))
+        v01, v11 = (self._texels(row + 1, col + i, tide_m) for i in (0, 1))
         south, north = v00 + (v10 - v00) * fu, v01 + (v11 - v01) * fu
-        value = south + (north - south) * fv
+        value = south + (north - south) * fv + np.asarray(tide_m)[..., None] * np.array([1.0, 1.0, 0.0, 1.0])
         dx = ((v10 - v00) * (1 - fv) + (v11 - v01) * fv) / self.cell_m * (u == ui)[..., None]
         dy = (north - south) / self.cell_m * (v == vi)[..., None]
         bed = {name: Dual(value[..., i], dx[..., i], dy[..., i]) for i, name in enumerate(CHANNELS)}
@@ -67,12 +76,19 @@ class ShoreMap:
         bed["within"] = 1.0 - step(0.0, BEYOND_M, Dual(away, out_x / reach, out_y / reach))
         return bed
 
+    def _texels(self, row, col, tide_m) -> np.ndarray:
+        texels = self.packed[row, col].astype(np.float64)
+        if self.tidal:
+            texels[..., 2] = texels[..., 2] < np.float32(tide_m)
+        return texels
+
 
 def shore_map(level: Level) -> ShoreMap:
     """The level's map, up to date with its height; worked out in the changed window only while a step is open."""
     shore = level.settings.shore
     seeds = sea_seeds(level)
-    key = (level.sea_level_m, shore.range_m, shore.runup, shore.monotone, shore.smooth_m, seeds)
+    tide = (level.settings.tide.on, band_m(level.settings)[1])
+    key = (level.mean_sea_m, shore.range_m, shore.runup, shore.monotone, shore.smooth_m, seeds, tide)
     have: ShoreMap | None = level.derived.get("shore_map")
     at = level.layer_revision("height")
     if have is not None and have.key == key:
@@ -96,10 +112,10 @@ def _stride(level: Level) -> int:
 def _whole(level: Level, seeds: tuple) -> ShoreMap:
     stride = _stride(level)
     cell_m = level.grid.cell_m * stride
-    depth = level.sea_level_m - level.height[::stride, ::stride].astype(np.float32)
+    depth = level.mean_sea_m - level.height[::stride, ::stride].astype(np.float32)
     start = (depth > 0) & open_edge(depth.shape, seeds, cell_m)
     least = _from_the_deep(depth, start, level.settings.shore.range_m)
-    return ShoreMap(_pack(level, depth, least, cell_m), least, cell_m, stride)
+    return ShoreMap(_pack(level, depth, least, cell_m), least, cell_m, stride, tidal=level.settings.tide.on)
 
 
 def sea_seeds(level: Level) -> tuple:
@@ -136,8 +152,18 @@ def _pack(level: Level, depth, least, cell_m: float) -> np.ndarray:
     The swash comes as far as the lowest way from the sea stays below the run-up: a tide pool behind a low rim is
     topped, a hollow inland stays still (D03).
     """
+    limit = 1.1 * level.settings.shore.range_m * level.settings.shore.runup + 0.05
+    packed = _packed(level, depth, least, cell_m, limit)
+    if level.settings.tide.on:
+        sea = packed[..., 2] > 0
+        high = _packed(level, depth, least, cell_m, limit + band_m(level.settings)[1])
+        packed = np.where(sea[..., None], packed, high)
+        packed[..., 2] = _wakes(sea, depth, least, limit)
+    return packed
+
+
+def _packed(level: Level, depth, least, cell_m: float, limit: float) -> np.ndarray:
     shore = level.settings.shore
-    limit = 1.1 * shore.range_m * shore.runup + 0.05
     reached = least > -limit
     clock = np.where(reached, least, depth) if shore.monotone else depth
     sigma = shore.smooth_m / cell_m
@@ -162,6 +188,23 @@ def _banks(reached, depth, limit_m: float) -> np.ndarray:
     return high & beside & ~ndimage.binary_dilation(~high & ~reached, np.ones((3, 3), bool))
 
 
+def _wakes(sea, depth, least, limit_m: float) -> np.ndarray:
+    """The tide over which each cell is sea: it is reached itself, or the bank of one that is; exact at tide 0.
+
+    A bank that a hollow comes to lie behind at a higher tide stays one.
+    """
+    own = -np.float32(limit_m) - least
+    bank = ndimage.minimum_filter(own, 3, mode="nearest")
+    rows, cols = own.shape
+    around_own, around_depth = (np.pad(values, 1, mode="edge") for values in (own, depth))
+    hollow = np.zeros(own.shape, bool)
+    for row, col in np.ndindex(3, 3):
+        there = slice(row, row + rows), slice(col, col + cols)
+        hollow |= (around_depth[there] > -limit_m - bank) & (around_own[there] > bank)
+    wakes = np.where(hollow, own, bank)
+    return np.where(sea, np.minimum(wakes, -1e-6), np.maximum(wakes, 0.0))
+
+
 def _update(level: Level, have: ShoreMap, at: int) -> ShoreMap:
     """The map with the changed windows worked out again against what stands round them."""
     rows, cols = have.packed.shape[:2]
@@ -182,7 +225,7 @@ def _update_window(level: Level, have: ShoreMap, window: Rect, fresh: Rect) -> N
     stride = have.stride
     ground = level.height[window.row0 * stride : window.row1 * stride : stride,
                           window.col0 * stride : window.col1 * stride : stride]  # fmt: skip
-    depth = level.sea_level_m - ground.astype(np.float32)
+    depth = level.mean_sea_m - ground.astype(np.float32)
     rim = np.ones(depth.shape, bool)
     rim[1:-1, 1:-1] = False
     known = have.bottleneck[window.slices]

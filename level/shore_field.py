@@ -100,7 +100,7 @@ def direction(distance_m: np.ndarray, cell_m: float) -> np.ndarray:
 def shore_field(level: Level) -> ShoreField:
     """The level's field, up to date with its height; changed in place by window while its settings stay."""
     seeds = sea_seeds(level)
-    key = level.sea_level_m, level.settings.shore.distance_range_m, seeds
+    key = level.mean_sea_m, level.settings.shore.distance_range_m, seeds
     have: ShoreField | None = level.derived.get("shore_field")
     at = level.layer_revision("height")
     if have is not None and have.key == key:
@@ -142,7 +142,7 @@ def _whole(level: Level, seeds: tuple) -> ShoreField:
 def _depth(level: Level, stride: int, rect: Rect | None = None) -> np.ndarray:
     """Depth of the still sea at mask cells, float32."""
     rows, cols = (slice(None), slice(None)) if rect is None else rect.slices
-    return level.sea_level_m - level.height[::stride, ::stride][rows, cols].astype(np.float32)
+    return level.mean_sea_m - level.height[::stride, ::stride][rows, cols].astype(np.float32)
 
 
 def _update(level: Level, have: ShoreField, seeds: tuple, at: int) -> None:
@@ -207,7 +207,7 @@ def _measure(level: Level, have: ShoreField, rect: Rect) -> None:
 
 def _bare(level: Level, have: ShoreField, rect: Rect) -> None:
     ground = level.height[:: have.stride, :: have.stride]
-    bare = bare_beach(ground, rect, have.cell_m * have.times) - np.float32(level.sea_level_m)
+    bare = bare_beach(ground, rect, have.cell_m * have.times) - np.float32(level.mean_sea_m)
     have.beach_m[_texels(rect, have.times).slices] = _finer(bare, have.times)
 
 

@@ -13,6 +13,7 @@ import numpy as np
 
 from .arrival_map import Passing
 from .dual import Dual, positive, step
+from .loop import turns
 from .noise import LATTICE, value_noise
 from .settings import Shore
 
@@ -68,10 +69,18 @@ def lead_arrival(shore: Shore, s_body: Dual, early: Dual, travel: Travel) -> Dua
     return by_depth + (lead - by_depth) * travel.share - early
 
 
-def clock_uniforms(shore: Shore, t: float) -> dict[str, float | int]:
-    """The clock at t in float64, wrapped, so that no shader ever sees a large time."""
+def clock_uniforms(shore: Shore, t: float, loop_s: float = 0.0) -> dict[str, float | int]:
+    """The clock at t in float64, wrapped, so that no shader ever sees a large time.
+
+    `u_shore_turns`: after so many waves the same ones come again, 0 for never; `t` lies in the loop then (loop.py).
+    """
     waves = t / shore.interval_s / shore.count
-    return {"u_shore_clock": waves - math.floor(waves), "u_shore_cycle": math.floor(waves) % (LATTICE * 64)}
+    whole = np.floor(waves).astype(np.int64) if np.ndim(t) else math.floor(waves)
+    return {
+        "u_shore_clock": waves - whole,
+        "u_shore_cycle": whole % (LATTICE * 64),
+        "u_shore_turns": turns(shore.interval_s, loop_s),
+    }
 
 
 def uprush(shore: Shore) -> float:
@@ -92,8 +101,9 @@ def before_waves(shore: Shore, bed: dict[str, Dual]) -> np.ndarray:
 
 
 def shore_masks(
-    shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray, travel: Travel | None = None
-) -> ShoreMasks:
+    shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray, loop_s: float = 0.0,
+    travel: Travel | None = None,
+) -> ShoreMasks:  # fmt: skip
     """Masks and lift at world points over the bed there (`ShoreMap.at`), with the `sway` there (`BeachMap.at`).
 
     `values` is the level's noise lattice; `travel` says when waves come where that doesn't follow from the depth alone.
@@ -101,7 +111,7 @@ def shore_masks(
     Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink into
     a hole round each of them.
     """
-    clock = clock_uniforms(shore, t)
+    clock = clock_uniforms(shore, t, loop_s)
     s = 1.0 - bed["clock"].v / shore.range_m
     s_body = 1.0 - bed["smoothed"] * (1 / shore.range_m)
     sea = bed["sea"] * bed["within"]
@@ -112,7 +122,7 @@ def shore_masks(
     a, b, *masks = np.zeros((5, *np.shape(s)))
     lift = Dual(*np.zeros((3, *np.shape(s))))
     for u, u_body, f, wave in _fronts(shore, clock, s, s_body, early, travel):
-        tall = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.variety
+        tall = 1.0 - _wave_noise(shore, clock, values, x, y, wave) * shore.variety
         a_here, b_here, *here = _wave(shore, u, f.v)
         masks = [np.maximum(old, new) for old, new in zip(masks, here, strict=True)]
         closer = np.abs(u) < nearest
@@ -182,8 +192,10 @@ def _height_along(s: Dual, travel: Travel | None) -> Dual:
     return shape if travel is None else shape + (travel.height - shape) * travel.share
 
 
-def _wave_noise(shore: Shore, values: np.ndarray, x, y, wave) -> Dual:
+def _wave_noise(shore: Shore, clock: dict, values: np.ndarray, x, y, wave) -> Dual:
     """0 … 1 along the shore for the wave of this number: what it lacks in height and in reach."""
+    if clock["u_shore_turns"]:
+        wave = np.mod(wave, clock["u_shore_turns"])
     return value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
 
 
@@ -204,7 +216,7 @@ def _swash(shore: Shore, clock: dict, arrived: Dual, values: np.ndarray, x, y) -
     number = np.floor(arrived.v)
     q = arrived - Dual(number)
     wave = clock["u_shore_cycle"] * shore.count + number.astype(np.int64)
-    reach = 1.0 - _wave_noise(shore, values, x, y, wave) * shore.runup_variety
+    reach = 1.0 - _wave_noise(shore, clock, values, x, y, wave) * shore.runup_variety
     up = uprush(shore)
     u = q * (1 / up)
     rising = u * (1.0 + u * (1.0 - u))

@@ -16,6 +16,7 @@ from .dual import Dual, step
 from .force import ForceField
 from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, travel
 from .level import Level
+from .loop import moment
 from .noise import lattice
 from .patches import beach_contact, patch_shore, patch_uniforms
 from .sea_keys import fronts_at, largest_amplitude_m
@@ -59,7 +60,7 @@ def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
 def _offshore(
     level: Level, shore: ShoreMap, fronts: list[Fronts], made: ArrivalMap | None, t: float, x, y
 ) -> tuple[Deformed, Dual]:
-    bed = shore.at(x, y)
+    bed = shore.at(x, y, level.tide_m)
     weight = _weight(level, bed)
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
     for which, group in zip((HIGH, LOW)[-len(fronts) :], fronts, strict=True):
@@ -99,7 +100,7 @@ def _under(level: Level, bed: dict[str, Dual], sand: Dual) -> np.ndarray:
     """The sand that the sheet slides on, over the still sea: only where the sea comes (H10)."""
     shore = level.settings.shore
     deep = before_waves(shore, bed) & (bed["depth"].v > DEEP_M)
-    return np.where((bed["sea"].v > 0) & shore.slide & ~deep, sand.v, NO_BEACH_M)
+    return np.where((bed["sea"].v > 0) & shore.slide & ~deep, sand.v - level.tide_m, NO_BEACH_M)
 
 
 def _normal(point: Deformed, slope_x: np.ndarray, slope_y: np.ndarray) -> np.ndarray:
@@ -117,20 +118,21 @@ def surface_at(
 
     `skip_chop` leaves out the high group, as physics may (H22); `force` adds what that field lifts (D18).
     """
-    level = level_at(level, t)
+    level, loop_s = level_at(level, t), level.settings.time.loop_s
+    t = moment(t, loop_s)
     x, y = np.broadcast_arrays(np.asarray(before_x, np.float64), np.asarray(before_y, np.float64))
     shore, values = shore_map(level), lattice(level.settings.level.seed)
     fronts, made = fronts_at(level, t)[1 if skip_chop else 0 :], arrival(level, t)
     point, weight = _offshore(level, shore, fronts, made, t, x, y)
     after_x, after_y = point.x.v, point.y.v
-    bed = shore.at(after_x, after_y)
+    bed = shore.at(after_x, after_y, level.tide_m)
     bed["within"] = bed["within"] * patch_shore(level, after_x, after_y)
     sand, sway = beach_map(level).at(after_x, after_y)
     way = None
     if made is not None:
         bend = phase_noise(level.settings.sea, fronts[-1], 0, after_x, after_y)
         way = Travel.of(made.at(after_x, after_y), bend, level.settings.timing.share)
-    masks = shore_masks(shore_at(level, t), t, bed, after_x, after_y, sway, values, way)
+    masks = shore_masks(shore_at(level, t), t, bed, after_x, after_y, sway, values, loop_s, way)
     lift = masks.lift
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
@@ -147,8 +149,11 @@ def surface_at(
 
 
 def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceField | None = None) -> SeaSample:
-    """The surface at **world** points x, y (metres, arrays) and time t; the lateral shift is inverted."""
-    level = level_at(level, t)
+    """The surface at **world** points x, y (metres, arrays) and time t; the lateral shift is inverted.
+
+    Without weather keys `t` may be an array of the points' shape, each with a time of its own.
+    """
+    level, t = level_at(level, t), moment(t, level.settings.time.loop_s)
     x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
     shore = shore_map(level)
     fronts, made = fronts_at(level, t)[1 if skip_chop else 0 :], arrival(level, t)
@@ -176,7 +181,7 @@ def largest_height_m(level: Level) -> float:
 
 def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]:
     """The value of every uniform that the level's GLSL declares, samplers excepted, at time t."""
-    level = level_at(level, t)
+    level, t = level_at(level, t), moment(t, level.settings.time.loop_s)
     settings = level.settings
     sea, shore = settings.sea, shore_at(level, t)
     groups = fronts_at(level, t)
@@ -187,7 +192,7 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_front_size": np.array(size, np.float32),
         "u_front_turn": np.array(turn, np.float32),
         "u_phase_noise_m": sea.phase_noise_m,
-        **clock_uniforms(shore, t),
+        **clock_uniforms(shore, t, settings.time.loop_s),
         **{f"u_shore_{name}": float(getattr(shore, name)) for name in names},
         "u_shore_variety": shore.variety,
         "u_shore_variety_m": shore.variety_m,
@@ -199,7 +204,9 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_shore_on": float(shore.on),
         "u_shore_vertex": float(shore.vertex),
         "u_sea_on": float(sea.on),
-        "u_sea_level_m": settings.level.sea_level_m,
+        "u_sea_level_m": level.sea_level_m,
+        "u_tide_m": level.tide_m,
+        "u_tide_on": settings.tide.on,
         "u_deep_start_m": sea.deep_start_m,
         "u_deep_full_m": max(sea.deep_full_m, sea.deep_start_m + 1e-3),
         "u_wave_height_m": sea_height_m(level),  # foam elsewhere stays when an object is placed

@@ -16,9 +16,11 @@ from itertools import pairwise
 import numpy as np
 
 from .level import Level
+from .loop import looped
 from .objects import WeatherKey
 from .params import get
 from .settings import Settings
+from .tide import tide_m
 from .weather_presets import SKY, TOUCHED, WEATHERS
 
 KEYED = tuple(path for path in TOUCHED if path != "flow.points")
@@ -57,9 +59,34 @@ def faded(start: float, path: str, keys, time_s):
 
 
 def level_at(level: Level, time_s: float) -> Level:
-    """A level as its keys make it at a time; a level that stands for a moment already stays as it is."""
+    """A level as keys, loop and tide make it at a time; a level that stands for a moment already stays as it is."""
     if level.undated is not None:
         return level
+    dated, loop_s = _keyed(level, time_s), level.settings.time.loop_s
+    if not level.settings.tide.on and loop_s <= 0:
+        return dated
+    if dated is level:
+        dated = copy.copy(level)
+        dated.undated = level.settings
+    dated.tide_m = tide_m(level.settings, time_s)
+    if loop_s > 0:
+        dated.settings = _looped(dated.settings, loop_s)
+    return dated
+
+
+def _looped(settings: Settings, loop_s: float) -> Settings:
+    """With the intervals that a loop makes of them."""
+    sections = {name: getattr(settings, name) for name in ("shore", "flow")}
+    return settings.model_copy(
+        update={
+            name: section.model_copy(update={"interval_s": looped(section.interval_s, loop_s)})
+            for name, section in sections.items()
+        }
+    )
+
+
+def _keyed(level: Level, time_s: float) -> Level:
+    """A level as its keys make it at a time; itself where none has begun."""
     keys = whole_keys(level)
     begun = [key for key in keys if key.time_s < time_s]
     if not begun:

@@ -48,7 +48,7 @@ def high_uniforms(frame) -> dict:
         "u_high_way": (math.sin(heading), math.cos(heading)),
         "u_high_moved_heaps": tuple(moved[4:]),
         "u_planet_m": clouds.planet_km * 1000.0,
-        "u_eye_m": float(frame.matrices.position[2] - level.sea_level_m),
+        "u_eye_m": float(frame.matrices.position[2] - level.mean_sea_m),
     }
 
 

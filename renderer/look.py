@@ -8,6 +8,7 @@ import numpy as np
 
 from ..level import Settings
 from ..level.gerstner import groups
+from ..level.loop import CAP_LIFE_S, GRAVITY, RIPPLES, looped, moment, ripple_period_s, turns
 from ..level.settings import Sea
 from ..level.sun import light_angles
 from ..level.water_optics import absorption, backscatter
@@ -15,16 +16,12 @@ from .day_light import exposure_ev, white_k
 from .sky_light import SkyLight, sky_light
 
 DISPLAYS = ("agx", "aces", "neutral", "raw")
-GRAVITY = 9.81
 FOAM_CYCLES = 600  # after so many the jumps of moving foam have come round: 6 / 25 and 5 / 24 of a tile
-CAP_LIFE_S = 7.0
 LIGHT_MPS = 3.7  # up to this wind nothing on the open sea is white
 CALM_M, ROUGH_M = 0.1, 0.4  # waves from which on crests bear foam, and bear it whole
 STAR_LIGHT = 0.0015  # kcd/m² of the brightest stars, spread over 1.4 minutes of arc
 RIPPLE_SPREAD = np.array([0.7955, 0.2045])  # of the texture's slope variance: along its own way, across
 LEAST_SLOPE2 = 2e-4  # no sea is a mirror
-# tile in metres, turn from the wind in degrees, share of the slope's variance
-RIPPLES = ((17.0, -24.0, 0.40), (6.1, 31.0, 0.33), (2.3, -7.0, 0.27))
 
 
 def sun_direction(azimuth_deg: float, elevation_deg: float) -> np.ndarray:
@@ -87,6 +84,13 @@ def wave_slopes(sea: Sea, seed: int, heading: float) -> np.ndarray:
     return np.array(rows) * float(sea.on)
 
 
+def _ripples_moved(tile_m: float, loop_s: float, time_s: float) -> float:
+    """Tiles of ripples that have gone by."""
+    if loop_s > 0:
+        return -moment(time_s, loop_s) / looped(ripple_period_s(tile_m), loop_s)
+    return -math.sqrt(GRAVITY * tile_m / 5 / (2 * math.pi)) * time_s / tile_m
+
+
 def _ripples(settings: Settings, time_s: float) -> dict:
     sea = settings.sea
     target = ripple_slopes(sea, settings.level.seed)
@@ -94,9 +98,7 @@ def _ripples(settings: Settings, time_s: float) -> dict:
     way, size = [], []
     for tile, turn_deg, share in RIPPLES:
         heading = math.radians(90.0 - sea.swell_heading_deg + turn_deg)
-        # the texture's strongest waves are about a fifth of its tile
-        speed = math.sqrt(GRAVITY * tile / 5 / (2 * math.pi))
-        moved = -speed * time_s / tile
+        moved = _ripples_moved(tile, settings.time.loop_s, time_s)
         way.append((math.cos(heading), math.sin(heading), moved - math.floor(moved), 0.173 * tile % 1.0))
         size.append((tile, math.sqrt(share)))
         turned = math.cos(math.radians(turn_deg)) ** 2, math.sin(math.radians(turn_deg)) ** 2
@@ -112,8 +114,8 @@ def _ripples(settings: Settings, time_s: float) -> dict:
 
 
 def _foam(settings: Settings, time_s: float) -> dict:
-    water, interval_s = settings.water, settings.flow.interval_s
-    cycles = time_s / interval_s
+    water, interval_s, loop_s = settings.water, settings.flow.interval_s, settings.time.loop_s
+    cycles = moment(time_s, loop_s) / interval_s
     whole = math.floor(cycles)
     phase = (cycles - whole, whole % FOAM_CYCLES, interval_s if settings.flow.on else 0.0)
     # heights count against the largest possible: a calm's crests are as high in it as a storm's, and bear no foam
@@ -123,6 +125,7 @@ def _foam(settings: Settings, time_s: float) -> dict:
     return {
         "u_foam_height": settings.foam.height * rough,
         "u_foam_cycle": phase,
+        "u_foam_turns": float(turns(interval_s, loop_s)),
         "u_foam_tile_m": water.foam_tile_m,
         "u_foam_amount": water.foam,
     }
@@ -135,10 +138,14 @@ def whitecap_share(wind_mps: float) -> float:
 
 def _whitecaps(settings: Settings, time_s: float) -> dict:
     """Two generations of caps, half a life apart: each comes up, shrinks and is somewhere else the next time."""
-    cycles = [time_s / CAP_LIFE_S, time_s / CAP_LIFE_S + 0.5]
+    loop_s = settings.time.loop_s
+    first = moment(time_s, loop_s) / looped(CAP_LIFE_S, loop_s)
+    cycles = [first, first + 0.5]
     ages = [cycle - math.floor(cycle) for cycle in cycles]
     # multiples of irrational numbers: no two generations near each other share a place
-    numbers = [2 * math.floor(cycle) + i for i, cycle in enumerate(cycles)]
+    again = turns(CAP_LIFE_S, loop_s)  # after so many the same ones come
+    numbers = [math.floor(cycle) % again if again else math.floor(cycle) for cycle in cycles]
+    numbers = [2 * number + i for i, number in enumerate(numbers)]
     places = [n * step % 1.0 for n in numbers for step in (0.7548776662, 0.5698402910)]
     shares = [1 - abs(2 * age - 1) for age in ages]
     return {

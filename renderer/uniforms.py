@@ -14,6 +14,7 @@ from ..level import Level, Settings
 from ..level.params import describe, get
 from ..level.rings import MOST, rings
 from ..level.shore_field import shore_field
+from ..level.tide import band_m, left_s
 from ..level.water_table import table_in_use
 from ..level.waves import wave_uniforms
 from .look import look_uniforms, wave_slopes
@@ -54,7 +55,10 @@ def frame_uniforms(frame) -> dict:
         "u_extent_m": level.grid.extent_m,
         "u_cell_m": level.grid.cell_m,
         "u_apron": (APRON_M, APRON_DEPTH_M),
-        "u_still_m": level.sea_level_m,
+        "u_still_m": level.mean_sea_m,
+        "u_sea_now_m": level.sea_level_m,
+        "u_tide_left_s": left_s(level.settings, frame.time_s),
+        "u_tide_band_m": tuple(level.mean_sea_m + part for part in band_m(level.settings)),
         "u_table_on": table_in_use(level) is not None,
         "u_wet_waves": WET_WAVES if frame.tier.sea_exact else 2,
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,

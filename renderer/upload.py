@@ -15,7 +15,7 @@ from ..level.noise import lattice
 from ..level.patches import patch_kinds
 from ..level.shore import shore_map
 from ..level.shore_field import shore_field
-from ..level.walk import walkable
+from ..level.walk import highest_sea_m
 from ..level.water_table import table_in_use, water_table
 from .bounds import HeightBounds
 
@@ -157,13 +157,13 @@ class Uploader:
         return self.textures[sampler]
 
     def walkable(self, level: Level):
-        """Where the player can go, R8, one texel a sample; after a stroke only round what it changed."""
-        key = level.layers["height"], level.settings.walk, level.sea_level_m
+        """Up to which sea the player can go, R32F, one texel a sample; after a stroke only round what it changed."""
+        key = level.layers["height"], level.settings.walk
         known, revision = self.seen.get("walkable", (None, 0))
-        fresh = self._refit("u_walkable", level.grid.shape, "f1") or known != key
+        fresh = self._refit("u_walkable", level.grid.shape, "f4") or known != key
         for rect in [level.grid.rect] if fresh else level.changed_since("height", revision):
             rect = level.grid.clip(rect.pad(1))  # slope looks at the neighbours
-            self._send("u_walkable", walkable(level, rect).astype(np.uint8) * 255, rect, "f1")
+            self._send("u_walkable", highest_sea_m(level, rect), rect, "f4")
         self.seen["walkable"] = key, level.revision
         return self.textures["u_walkable"]
 

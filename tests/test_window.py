@@ -178,6 +178,33 @@ def test_waves_panel_cuts_through_the_pointer(drive):
     found = drive("waves")
     assert found["samples"] > 100
     assert found["line"] > 0.9
+    assert found["ghosts"] == 6
+    assert found["band"] > 0.3
+    assert found["bad"] == []
+
+
+def test_time_is_worked_by_hand(drive):
+    """T05: a marker made, dragged, jumped to and deleted; steps by waves."""
+    found = drive("time_by_hand", by="window_time.py")
+    assert found["marked"] == [12.0]
+    assert found["wave"] == pytest.approx(21.0)
+    assert found["tenth"] == pytest.approx(12.9)
+    assert found["dragged"] == pytest.approx(24.0, abs=0.5)
+    assert found["drag_steps"] == 1
+    assert found["jumped"] == found["dragged"]
+    assert found["selected"] == "marker-1"
+    assert found["deleted"]
+    assert found["back"]
+    assert found["bad"] == []
+
+
+def test_probes_are_dropped_and_drawn(drive):
+    """T06: two clicks, two lines; the form for crest times."""
+    found = drive("water_probes", by="window_time.py")
+    assert found["probes"] == ["probe-1", "probe-2"]
+    assert found["drawn"] == 2
+    assert found["moves"] > 0.1
+    assert found["asked"] == "EventForm"
     assert found["bad"] == []
 
 

@@ -391,8 +391,10 @@ def waves(hands: Hands) -> None:
     hands.ctx.window_focus("//Waves")
     hands.move((0.3, 0.55))
     hands.settle()
-    cut = hands.window.waves.kept[1]
-    hands.note(line=float((cut.a - cut.b).max()), samples=len(cut.along_m))
+    kept = hands.window.waves.kept
+    cut, (lowest, highest), before_after = (kept[name][1] for name in ("cut", "band", "ghosts"))
+    hands.note(line=float((cut.a - cut.b).max()), samples=len(cut.along_m), ghosts=len(before_after))
+    hands.note(band=float((highest - lowest).max()))
     hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
 
 

@@ -2,7 +2,6 @@
 
 import numpy as np
 import window_drive
-from imgui_bundle import hello_imgui
 from shorewright.app import wave_gizmo
 from shorewright.app.camera_control import to_screen
 from shorewright.app.tools import SELECT
@@ -13,8 +12,6 @@ from window_drive import CTRL, Hands, imgui, shown
 def wave_object(hands: Hands) -> None:
     """Drop a wave object by a click, drag its marker, turn it with Ctrl, draw its handles, fit it to the shore."""
     ctx, session = hands.ctx, hands.session
-    # a busy computer takes longer than the engine has patience for
-    imgui.test_engine.get_io(hello_imgui.get_imgui_test_engine()).config_watchdog_kill_test = 500.0
     hands.key(imgui.Key.space)
     hands.editor.move_camera(Camera(id="high", x=110.0, y=-40.0, z=90.0, yaw_deg=0.0, pitch_deg=-42.0))
     ctx.menu_click("//##MainMenuBar/Place/Drop: wave object")
@@ -63,5 +60,4 @@ def wave_object(hands: Hands) -> None:
 
 
 if __name__ == "__main__":
-    window_drive.wave_object = wave_object
-    window_drive.main()
+    window_drive.main(globals())

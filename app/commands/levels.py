@@ -148,9 +148,24 @@ def info(level: LevelPath, *, as_json: Json = False) -> int:
         where = "" if OBJECT_KINDS[thing["kind"]].placeless else f" at {thing['x']:.1f}, {thing['y']:.1f}"
         when = f" from {thing['start_s']:g} to {thing['end_s']:g} s" if thing["kind"] == "shot" else ""
         rows.append((thing["kind"], f"{thing['name']}{where}{when}"))
+    for row in told["loop"]:
+        new = f"{row['new_s']:.3f} s, {row['percent']:+.1f} %" if row["new_s"] else "stands still"
+        rows.append(("loop", f"{row['name']}: {row['old_s']:.3f} s becomes {new}"))
     rows += [("georeference", f"{key} = {value}") for key, value in told["georeference"].items()]
     put_table(rows)
     return 0
+
+
+def _loop(level) -> list[dict]:
+    """What the level's loop makes of each period of its sea; nothing without one."""
+    from ...level.loop import loop_changes
+
+    if level.settings.time.loop_s <= 0:
+        return []
+    return [
+        {"name": row.name, "old_s": row.old_s, "new_s": row.new_s, "percent": row.percent}
+        for row in loop_changes(level)
+    ]
 
 
 def _told(level, path: Path) -> dict:
@@ -180,6 +195,7 @@ def _told(level, path: Path) -> dict:
         "meshes": [{"name": key, "triangles": len(mesh.triangles)} for key, mesh in sorted(level.meshes.items())],
         "objects": objects,
         "cameras": [thing["name"] for thing in objects if thing["kind"] == "camera"],
+        "loop": _loop(level),
         "georeference": level.georeference,
         "settings": level.settings.model_dump(mode="json"),
     }

@@ -117,6 +117,9 @@ def go_to(editor: Editor, name: str) -> None:
     if thing.kind == "camera":
         editor.fly_to(thing)
         return
+    if thing.kind == "marker":
+        session.scrub(thing.time_s)
+        return
     if thing.kind == "shot":
         session.scrub(min(thing.start_s + thing.fade_s, (thing.start_s + thing.end_s) / 2))
         if thing.camera in session.level.objects:

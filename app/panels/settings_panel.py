@@ -13,12 +13,12 @@ from ...level.weather_presets import WEATHERS, weather_of
 from .. import param_widgets
 from ..actions import ACTIONS
 from ..editor import Editor
-from . import curve_editor
+from . import curve_editor, loop_table, tide_curve
 
 OPEN = ("shore", "sea")
 # what is turned most comes first
 ORDER = ("shore", "sea", "water", "foam", "flow", "force", "caustics", "glare", "quiet", "things", "light",
-         "weather", "clouds", "storm", "rain", "fog", "cloud_terms", "ground", "wet", "scatter", "walk", "time",
+         "weather", "clouds", "storm", "rain", "fog", "cloud_terms", "ground", "wet", "scatter", "tide", "walk", "time",
          "level")  # fmt: skip
 TITLES = {"sea": "Open sea", "shore": "Shore waves", "water": "Water colour", "fog": "Haze", "wet": "Wet shore",
           "glare": "Highlight", "quiet": "Quiet area", "things": "Props and rings", "force": "Pushed water",
@@ -80,7 +80,7 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
     if opened:
         imgui.push_style_var(imgui.StyleVar_.item_spacing, imgui.ImVec2(7, 4))
         param_widgets.draw_all(
-            [row for row in rows if row is not switch and row.name not in curve_editor.PATHS],
+            [row for row in rows if row is not switch and row.name not in (*curve_editor.PATHS, tide_curve.PATH)],
             lambda path: get(settings, path),
             lambda path, value, merge: editor.set(path, value, merge),
             editor.session.seal,
@@ -88,6 +88,10 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
         imgui.pop_style_var()
         if any(row.name in curve_editor.PATHS for row in rows):
             curve_editor.draw(editor)
+        if any(row.name == tide_curve.PATH for row in rows):
+            tide_curve.draw(editor)
+        if name == "time":
+            loop_table.draw(editor)
         imgui.spacing()
 
 

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ...level.loop import looped_shore
 from ...level.shore_waves import front_speed_mps
 from . import Effect, Piece, one_sided
 
@@ -68,7 +69,7 @@ class Ramp(Effect):
         first, last = float(self.low[0]), float(self.high[0])
         length_m = link.length * grid.cell_m
         grade = (last - first) / length_m
-        speed = front_speed_mps(canvas.level.settings.shore, abs(grade)) if abs(grade) >= LEVEL_GRADE else None
+        speed = front_speed_mps(looped_shore(canvas.level.settings), abs(grade)) if abs(grade) >= LEVEL_GRADE else None
         return {
             "start": grid.to_metres(link.row0, link.col0),
             "end": grid.to_metres(link.row1, link.col1),

@@ -3,8 +3,10 @@
 
 #include "level/dual.glsl"
 
-uniform sampler2D u_bed;  // RGBA32F: clock depth, depth, sea, clock depth without rocks
+uniform sampler2D u_bed;  // RGBA32F: clock depth, depth, sea, clock depth without rocks, at mean sea level
 uniform float u_bed_cell_m;
+uniform float u_tide_m;  // how far the sea stands over that
+uniform bool u_tide_on;  // with a tide, the third number is the one over which a cell is sea
 
 const float BEYOND_M = 80.0;  // how far past the level's border shore waves go on
 
@@ -16,6 +18,12 @@ struct Bed {
     vec3 smoothed;  // clock depth without rocks: what the water's body is lifted over
 };
 
+vec4 bed_texel(ivec2 cell) {
+    vec4 bed = texelFetch(u_bed, cell, 0);
+    if (u_tide_on) bed.z = float(bed.z < u_tide_m);
+    return bed;
+}
+
 Bed bed_at(vec2 xy) {
     vec2 size = vec2(textureSize(u_bed, 0));
     vec2 at = xy / u_bed_cell_m;
@@ -23,9 +31,9 @@ Bed bed_at(vec2 xy) {
     vec2 base = min(floor(inside), size - 2.0);
     vec2 f = inside - base;
     ivec2 cell = ivec2(base);
-    vec4 v00 = texelFetch(u_bed, cell, 0), v10 = texelFetch(u_bed, cell + ivec2(1, 0), 0);
-    vec4 v01 = texelFetch(u_bed, cell + ivec2(0, 1), 0), v11 = texelFetch(u_bed, cell + ivec2(1, 1), 0);
-    vec4 v = mix(mix(v00, v10, f.x), mix(v01, v11, f.x), f.y);
+    vec4 v00 = bed_texel(cell), v10 = bed_texel(cell + ivec2(1, 0));
+    vec4 v01 = bed_texel(cell + ivec2(0, 1)), v11 = bed_texel(cell + ivec2(1, 1));
+    vec4 v = mix(mix(v00, v10, f.x), mix(v01, v11, f.x), f.y) + vec4(u_tide_m, u_tide_m, 0.0, u_tide_m);
     vec4 dx = mix(v10 - v00, v11 - v01, f.y) / u_bed_cell_m * float(at.x == inside.x);
     vec4 dy = mix(v01 - v00, v11 - v10, f.x) / u_bed_cell_m * float(at.y == inside.y);
     vec2 out_m = (at - inside) * u_bed_cell_m;

@@ -7,6 +7,7 @@
 
 uniform float u_shore_clock;    // fract(t / travel), in cycles
 uniform int u_shore_cycle;
+uniform int u_shore_turns;      // after so many waves the same ones come again; 0: never
 uniform int u_shore_count;
 uniform float u_shore_range_m, u_shore_width, u_shore_gap, u_shore_runup, u_shore_back, u_shore_fall;
 uniform float u_shore_height_m, u_shore_draw_m, u_shore_fade_in, u_shore_fade_out;
@@ -58,8 +59,14 @@ vec3 shore_height_along(vec3 s) {
     return d_mul(d_step(0.0, BREAK_S, s) * 0.7 + d_const(0.3), d_const(1.0) - d_step(BREAK_S, 1.0, s));
 }
 
+// Number of a wave among those of the loop.
+int looped_wave(int wave) { return u_shore_turns > 0 ? (wave + 64 * u_shore_turns) % u_shore_turns : wave; }
+
 // 0 … 1 along the shore for the wave of this number: what it lacks in height and in reach.
-vec3 wave_noise(vec2 xy, int wave) { return value_noise(xy, u_shore_variety_m, ivec2(wave * 17, wave * 29)); }
+vec3 wave_noise(vec2 xy, int number) {
+    int wave = looped_wave(number);
+    return value_noise(xy, u_shore_variety_m, ivec2(wave * 17, wave * 29));
+}
 
 // How much earlier waves arrive at a place, in intervals: noise, and the sway along the shore (H20).
 vec3 shore_early(vec2 xy, vec3 sway) {

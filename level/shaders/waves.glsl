@@ -25,7 +25,7 @@ vec3 deep_weight(Bed bed) {
 }
 
 // The sand that the sheet slides on, over the still sea: only where the sea comes (H10).
-float beach_under(Bed bed, Beach beach) { return u_shore_slide > 0.0 && bed.sea.x > 0.0 ? beach.sand.x : NO_BEACH_M; }
+float beach_under(Bed bed, Beach beach) { return u_shore_slide > 0.0 && bed.sea.x > 0.0 ? beach.sand.x - u_tide_m : NO_BEACH_M; }
 
 Sea sea_surface(vec2 before) {
     Bed start = bed_at(before);

@@ -31,7 +31,7 @@ def seen_now(frame: Frame) -> Seen:
     """What the image of this frame depends on."""
     level, m = frame.level, frame.matrices
     settings = tuple(getattr(level.settings, name) for name in SECTIONS)
-    others = level.objects_revision, level.sea_level_m, frame.tier.name
+    others = level.objects_revision, level.mean_sea_m, frame.tier.name
     key, rays = (level.layers["weather"], *settings, *others), (-m.view[2], m.ray_x, m.ray_y)
     return Seen(m.position.copy(), rays, frame.time_s, drift_m(level, frame.time_s), on_clouds(frame.sky.light), key)
 

@@ -99,7 +99,7 @@ def cloud_uniforms(frame: Frame) -> dict:
         **air_uniforms(level, frame.time_s),
         **light_uniforms(frame.sky.light),
         "u_planet_m": clouds.planet_km * 1000.0,
-        "u_eye_m": float(camera[2] - level.sea_level_m),
+        "u_eye_m": float(camera[2] - level.mean_sea_m),
         "u_cloud_camera": tuple(float(v) for v in camera[:2]),
         "u_cloud_reach_m": REACH_M,
         "u_cloud_steps": frame.tier.cloud_steps,

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...level.loop import moment
 from ...level.objects import PointLight
 from ..frame import Frame
 
@@ -21,11 +22,11 @@ def visible(frame: Frame, over: float = 0.0) -> np.ndarray:
 
     With `over` klx, times the sky's unit, none reaches farther than it is that bright.
     """
-    matrices, rows = frame.matrices, []
+    matrices, rows, loop_s = frame.matrices, [], frame.level.settings.time.loop_s
     for lamp in frame.level.objects.values():
         if not isinstance(lamp, PointLight) or lamp.power_kcd <= 0:
             continue
-        place = np.array(lamp.place(frame.time_s)) - matrices.position
+        place = np.array(lamp.place(moment(frame.time_s, loop_s), loop_s)) - matrices.position
         power = lamp.power_kcd * np.array([lamp.red, lamp.green, lamp.blue]) * frame.renderer.sky.light.unit
         radius_m = min(lamp.radius_m, float(np.sqrt(power.max() / over))) if over > 0 else lamp.radius_m
         box = screen_box(matrices, place, radius_m)

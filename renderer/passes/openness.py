@@ -39,7 +39,7 @@ class OpennessMap:
 def draw(frame: Frame) -> None:
     level = frame.level
     held = _map(frame)
-    key = frame.renderer.uploader.wholes, level.sea_level_m
+    key = frame.renderer.uploader.wholes, level.mean_sea_m
     changed = level.changed_since("height", held.revision) if held.key == key else [level.grid.rect]
     if changed:
         _work_out(frame, held, reduce(Rect.union, changed))

@@ -72,9 +72,9 @@ def squares(frame: Frame, way: np.ndarray) -> np.ndarray:
     least = 0.0 if level.settings.water.on else -math.inf
 
     def over_sea(xy: np.ndarray) -> float:
-        return max(float(ground_at(level, *xy)) - level.sea_level_m, least)
+        return max(float(ground_at(level, *xy)) - level.mean_sea_m, least)
 
-    above = max(float(position[2]) - level.sea_level_m - over_sea(position[:2]), 1.0)
+    above = max(float(position[2]) - level.mean_sea_m - over_sea(position[:2]), 1.0)
     away = above / max(-float(forward[2]), 0.12)  # to the ground that is looked at
     side = SMALLEST_M
     while side < 1.4 * away and side < LARGEST_M:
@@ -85,14 +85,14 @@ def squares(frame: Frame, way: np.ndarray) -> np.ndarray:
         target = position[:2] + forward[:2] / max(flat, 1e-6) * min(away * flat, most)
         step = part * side / STEPS  # whole texels
         middle = np.round((target - way * over_sea(target)) / step) * step
-        found.append((*middle, level.sea_level_m, part * side / 2))
+        found.append((*middle, level.mean_sea_m, part * side / 2))
     return np.array(found)
 
 
 def tallest_m(frame: Frame) -> float:
     """How far the ground is from the still sea at most, which is the middle of the map's heights."""
     low, high = frame.renderer.uploader.bounds.range
-    sea_m = frame.level.sea_level_m
+    sea_m = frame.level.mean_sea_m
     return float(max(high - sea_m, sea_m - low, 1.0))
 
 
@@ -104,7 +104,7 @@ def draw(frame: Frame) -> None:
     lit = level.settings.light.shadows and sun[2] > NIGHT
     things = placed(frame) if lit else []
     frame.renderer.uploader.sent["props"] += buffers(frame).keep(things) if things else 0
-    high = max((abs(thing.middle[2] - level.sea_level_m) + thing.radius_m for thing in things), default=0.0)
+    high = max((abs(thing.middle[2] - level.mean_sea_m) + thing.radius_m for thing in things), default=0.0)
     range_m = 2.0 ** math.ceil(math.log2(max(tallest_m(frame) + 8.0 * max(level.settings.scatter.size, 1.0), high)))
     on = lit and (level.settings.scatter.on or bool(things))
     for index, (batch, square) in enumerate(zip(made.batches, found, strict=True)):

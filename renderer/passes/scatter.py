@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from ...level.loop import looped, moment
 from ...level.weather_keys import run_m
 from ..camera import camera_matrices
 from ..frame import Frame
@@ -60,11 +61,14 @@ def eye(frame: Frame) -> Eye:
 def wind_uniforms(frame: Frame) -> dict:
     """Gusts that run about along `u_wind_way`, phases wrapped here; `u_wind_bend` in radians of lean."""
     sea, sway = frame.level.settings.sea, frame.level.settings.scatter.sway
-    blown_m = run_m(frame.level, frame.time_s, "sea.wind_mps")
+    loop_s, blown_m = frame.level.settings.time.loop_s, run_m(frame.level, frame.time_s, "sea.wind_mps")
     waves = []
     for length, speed, turn in GUSTS:
         heading = math.radians(90.0 - sea.swell_heading_deg) + turn
         phase = speed * (0.4 * frame.time_s + 0.12 * blown_m) / length
+        if loop_s > 0:  # gusts come round with the sea that they run over
+            rate = speed * (0.4 + 0.12 * sea.wind_mps) / length
+            phase = moment(frame.time_s, loop_s) / looped(1 / rate, loop_s)
         waves.append((math.cos(heading) / length, math.sin(heading) / length, phase - math.floor(phase), 0.0))
     bend = sway * 0.55 * sea.wind_mps / (sea.wind_mps + 9.0)
     return {"u_gusts": np.array(waves, np.float32), "u_wind_bend": bend}

@@ -32,7 +32,7 @@ def terrain_view(level: Level, bounds: HeightBounds, tier: Tier, matrices: Matri
     apron = math.ceil(APRON_M / grid.cell_m)
     area = (-apron, -apron, grid.cols - 1 + apron, grid.rows - 1 + apron)
     low, high = bounds.range
-    floor = level.sea_level_m - APRON_DEPTH_M
+    floor = level.mean_sea_m - APRON_DEPTH_M
     eye_m = matrices.position[2]
     view = View(matrices.position, matrices.planes, max(low - eye_m, eye_m - high, 0.0))
     relief_m = max(row.relief_m for row in MATERIALS) * level.settings.ground.relief

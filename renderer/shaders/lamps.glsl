@@ -45,7 +45,7 @@ void main() {
     float eye_depth = texelFetch(g_eye_depth, pixel, 0).r;
     vec2 clip = (vec2(pixel) + 0.5) / u_size * 2.0 - 1.0;
     vec3 relative = (u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y) * eye_depth;
-    float depth = u_level_sea_level_m - u_camera.z - relative.z;
+    float depth = u_sea_now_m - u_camera.z - relative.z;
     if (eye_depth <= 0.0 || depth <= 0.0) discard;
     Surface s = read_gbuffer(pixel);
     s.roughness = 1.0;

@@ -77,7 +77,7 @@ void main() {
     vec3 relative = pixel_ray() * s.eye_depth;
     bool lit = s.material != NOTHING;
     // H12: what may lie under water is lit without a mirror for the plates, and again, with it, where it stays bare
-    bool low = relative.z + u_camera.z < u_level_sea_level_m + u_low_m;
+    bool low = relative.z + u_camera.z < u_sea_now_m + u_low_m;
 #ifdef WHITE
     s.albedo = vec3(1.0);
     s.emissive = vec3(0.0);

@@ -54,7 +54,7 @@ void main() {
 #ifdef WALKABLE
     if (on_level) {
         ivec2 cell = clamp(ivec2(floor(ground / u_cell_m + 0.5)), ivec2(0), textureSize(u_walkable, 0) - 1);
-        bool walk = texelFetch(u_walkable, cell, 0).r > 0.5;
+        bool walk = u_sea_now_m <= texelFetch(u_walkable, cell, 0).r;
         lay(colour, walk ? vec3(0.10, 0.85, 0.25) : vec3(0.90, 0.10, 0.08), 0.42);
     }
 #endif

@@ -23,7 +23,7 @@ void main() {
         vec2 clip = (vec2(pixel) + 0.5) / u_size * 2.0 - 1.0;
         vec3 position = u_camera + (u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y) * eye_depth;
         if (eye_depth > 0.0) pixel_m = min(pixel_m, eye_depth * u_pixel_angle);
-        float depth = u_level_sea_level_m - position.z;
+        float depth = u_sea_now_m - position.z;
         float weight = eye_depth > 0.0 ? mix(OUT_OF_WATER, 1.0, smoothstep(-1.5, -0.5, depth)) : OUT_OF_WATER;
         vec3 light = texelFetch(hdr, pixel, 0).rgb;
         if (depth > 0.0 && eye_depth > 0.0) bed += vec4(position.xy, depth, 1.0);

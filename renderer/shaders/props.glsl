@@ -15,7 +15,7 @@ void main() {
     v_colour = in_colour;
     v_local = in_position * length(in_up.xyz);
     // what stands goes by the still sea
-    v_over = in_mark.w > -1e5 ? v_local.z - in_mark.w : v_relative.z + u_camera.z - u_level_sea_level_m;
+    v_over = in_mark.w > -1e5 ? v_local.z - in_mark.w : v_relative.z + u_camera.z - u_sea_now_m;
 #ifdef MARK
     v_colour = in_mark.rgb;
 #endif

@@ -97,10 +97,10 @@ void main() {
     vec2 clip = 4.0 * gl_FragCoord.xy / u_size - 1.0;
     Line line;
     line.ray = u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y;
-    float fall = u_level_sea_level_m - u_camera.z;
+    float fall = u_sea_now_m - u_camera.z;
     if (line.ray.z * fall <= 0.0 || fall >= 0.0) return;
     line.plane_m = fall / line.ray.z;
-    line.height = u_level_sea_level_m + 0.02;
+    line.height = u_sea_now_m + 0.02;
     float m = 1.0;
     Seen seen = seen_at(line, m);
     if (seen.standing > 1.0) {  // land hides the plane: a sheet may lie on it; higher up it is what waves see that look past it
@@ -109,7 +109,7 @@ void main() {
         line.height = u_camera.z + fall + SAND_M;
         seen.emerged = false;
     }
-    if (u_camera.z + fall > u_level_sea_level_m + SHEET_M) {
+    if (u_camera.z + fall > u_sea_now_m + SHEET_M) {
         out_mirrored = vec4(min(lit_land(seen.pixel), vec3(15000.0)), 1.0);
         out_way = vec2(1.0 / max(length(line.ray.xy) * seen.eye_depth, 0.01), 1.0);
         return;

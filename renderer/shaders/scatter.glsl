@@ -128,6 +128,7 @@ void main() {
     Thing thing = thing_at(position, n, pixel_m, height, porous);
     float damp = 0.0;
 #ifndef GRASS
+    height -= u_tide_m;
     damp = height < 0.0 ? 1.0 : shore_wet(position.xy, height, pixel_m).damp;
     // a film darkens; under water there is none (lib/ground.glsl does the same)
     thing.albedo *= mix(vec3(1.0), vec3(0.46, 0.46, 0.45), damp * porous * smoothstep(-0.5, -0.1, height));

@@ -52,7 +52,7 @@ vec2 painted_foam(vec2 xy) { return u_show_painted_foam ? layer_at(u_layer_foam,
 void main() {
 #ifdef HORIZON
     vec3 ray = pixel_ray();
-    float fall = u_level_sea_level_m - u_camera.z;
+    float fall = u_sea_now_m - u_camera.z;
     if (ray.z * fall <= 0.0) discard;
     vec3 relative = ray * min(fall / ray.z, FARTHEST_M);
     vec2 before = u_camera.xy + relative.xy;

@@ -63,7 +63,7 @@ void main() {
     pixel_m = pixel_metres(v_relative, normal);  // of the smooth ground: by triangle it would show them
     vec2 torn = torn_at(position.xy, pixel_m);
     Site site = terrain_site(position.xy, normal, position.z - u_still_m, torn, pixel_m);
-    Wet wet = shore_wet(position.xy, site.height, pixel_m);
+    Wet wet = shore_wet(position.xy, site.height - u_tide_m, pixel_m);
     int layer;
     Ground g = ground_at(position, site, wet.damp, pixel_m, layer);
     float film = wet.film * smoothstep(0.9, 0.97, normal.z);

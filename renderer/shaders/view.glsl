@@ -104,6 +104,20 @@ vec3 ripple_normal(Surface s, vec3 relative) {
     return normalize(vec3(-water_ripples(s.before, long_m).xy, 1.0));
 }
 
+// Where the tide goes, from the ground's height and slopes: colours by height, lines where still water stands.
+vec3 tide_band(vec3 ground, vec2 xy, float pixel_m) {
+    if (any(lessThan(xy, vec2(0.0))) || any(greaterThan(xy, u_extent_m))) return vec3(0.02, 0.04, 0.09);
+    float low = u_tide_band_m.x, high = u_tide_band_m.y, height = ground.x;
+    vec3 value = height < low ? mix(vec3(0.12, 0.38, 0.62), vec3(0.03, 0.08, 0.22), clamp((low - height) / 6.0, 0.0, 1.0))
+                 : height < high ? mix(vec3(0.85, 0.62, 0.25), vec3(0.98, 0.88, 0.55), (height - low) / max(high - low, 1e-3))
+                                 : mix(vec3(0.30, 0.42, 0.24), vec3(0.16, 0.22, 0.14), clamp((height - high) / 12.0, 0.0, 1.0));
+    float rise_m = max(length(ground.yz), 0.01) * max(pixel_m, 1e-4);  // a pixel's height
+    vec3 lines = vec3(low, u_still_m, high), away = abs(vec3(height) - lines) / rise_m;
+    vec3 drawn = 1.0 - smoothstep(vec3(0.8), vec3(1.8), away);
+    value = mix(value, vec3(0.95), 0.9 * max(drawn.x, drawn.z));
+    return mix(value, vec3(0.8, 0.15, 0.1), 0.9 * drawn.y);
+}
+
 void main() {
 #ifdef INSET
     ivec2 pixel = ivec2(inset_part() * vec2(textureSize(g_eye_depth, 0)));
@@ -116,7 +130,7 @@ void main() {
 #ifdef INSET_MAP
     Bed under_it = bed_at(inset_world());
     Surface s = inset_surface(inset_world(), under_it.sea.x > 0.5 && under_it.depth.x > 0.0, u_inset_map.w);
-    vec3 position = vec3(inset_world(), u_still_m + max(-under_it.depth.x, 0.0));
+    vec3 position = vec3(inset_world(), u_sea_level_m + max(-under_it.depth.x, 0.0));
 #else
     Surface s = read_gbuffer(pixel);
     vec3 position = u_camera + ray * s.eye_depth;
@@ -141,7 +155,7 @@ void main() {
 #ifdef WALKABLE
     ivec2 cell = clamp(ivec2(floor(below / u_cell_m + 0.5)), ivec2(0), textureSize(u_walkable, 0) - 1);
     bool on_level = all(greaterThanEqual(below, vec2(0.0))) && all(lessThanEqual(below, u_extent_m));
-    float walkable = on_level ? texelFetch(u_walkable, cell, 0).r : 0.0;
+    float walkable = float(on_level && u_sea_now_m <= texelFetch(u_walkable, cell, 0).r);
 #endif
 #ifdef SHORE_FIELD
     vec4 shore_field = shore_field_at(position.xy);

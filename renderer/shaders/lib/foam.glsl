@@ -9,6 +9,7 @@ uniform float u_foam_amount;
 uniform float u_whitecaps;       // share of the open sea that is white in this wind
 uniform vec4 u_cap_place, u_cap_age;  // of two generations: offset in tiles each; age −½ … ½ each, share of the caps each
 uniform vec3 u_foam_cycle;       // part of a cycle of moving foam, number of whole ones, seconds a cycle; 0 s: it stands
+uniform float u_foam_turns;      // after so many cycles the same ones come again; 0: never
 uniform float u_flow_noise, u_flow_noise_m;
 
 const float FOAM_TEXELS = 512.0;
@@ -39,6 +40,7 @@ void foam_places(vec2 xy, vec2 flow, out vec2 first, out vec2 second, out float 
     float early = textureLod(u_noise, xy / (8.0 * u_flow_noise_m), 3.0).g * u_flow_noise;
     float a = u_foam_cycle.x + early, b = a + 0.5;
     vec2 number = floor(vec2(a, b)) + u_foam_cycle.y;
+    if (u_foam_turns > 0.0) number = mod(number, u_foam_turns);
     vec2 way = flow * (u_foam_cycle.z / u_foam_tile_m);
     first += JUMP * number.x - way * (fract(a) - 0.5);
     second += JUMP.yx * number.y - way * (fract(b) - 0.5);

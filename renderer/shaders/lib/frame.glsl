@@ -9,6 +9,7 @@ uniform vec3 u_ray_y;
 uniform vec2 u_size;
 uniform float u_pixel_angle;     // radians a pixel at the centre
 uniform float u_level_sea_level_m;
+uniform float u_sea_now_m;  // with the tide
 
 const int NOTHING = 0, LAND = 1, SEA = 2, RIVER = 3, ICE = 4, PUDDLE = 5, SNOW = 6;  // targets.py MATERIALS
 

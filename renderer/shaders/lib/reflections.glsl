@@ -10,7 +10,7 @@ const float TAP[TAPS] = float[TAPS](-1.15, -0.32, 0.32, 1.15);  // middles of qu
 // long up and down: slopes turn a low view's height, hardly its side.
 vec4 land_mirrored(vec3 relative, vec3 mirror, float roughness, out float known) {
     vec2 to_uv = 1.0 / (2.0 * vec2(textureSize(u_mirrored, 0)));
-    float away = length(relative), fall = u_level_sea_level_m - u_camera.z;
+    float away = length(relative), fall = u_sea_now_m - u_camera.z;
     vec2 at = gl_FragCoord.xy;
     vec3 image = vec3(0.0);
     float m = 0.0;

@@ -28,7 +28,7 @@ void main() {
     int at = (side + (corner == 1 || corner == 2 || corner == 4 ? 1 : 0)) % 4;
     vec2 way = vec2(at == 1 || at == 2 ? 1.0 : -1.0, at >= 2 ? 1.0 : -1.0);
     vec2 near = vec2(way.x > 0.0 ? u_horizon_hole.z : u_horizon_hole.x, way.y > 0.0 ? u_horizon_hole.w : u_horizon_hole.y);
-    float fall = u_level_sea_level_m - u_camera.z;
+    float fall = u_sea_now_m - u_camera.z;
     gl_Position = u_view_projection * (far ? vec4(way, 0.0, 0.0) : vec4(near, fall, 1.0));
 }
 #endif

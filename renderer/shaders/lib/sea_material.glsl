@@ -70,7 +70,9 @@ void ride_the_sheet(Sea sea, float steep) {
     ShoreMasks m = sea.shore;
     float phase = swash_phase(m), share = smoothstep(RIDES_S, CARRIED_S, m.s) * sea.bed.sea.x * u_shore_on * u_shore_vertex;
     float way_m = min(max(m.edge_s - 1.0, 0.0) * u_shore_range_m / steep, MOST_CARRIED_M);
-    beach_ride = vec3(phase, floor(m.arrived) + float(u_shore_cycle * u_shore_count), share);
+    float number = floor(m.arrived) + float(u_shore_cycle * u_shore_count);
+    beach_ride = vec3(phase, u_shore_turns > 0 ? float(looped_wave(int(number))) : number, share);
+    beach_turns = float(u_shore_turns);
     beach_carried = -sea.bed.smoothed.yz * (way_m * smoothstep(SWASH_S, 1.0, m.s) / max(length(sea.bed.smoothed.yz), 1e-4));
 }
 

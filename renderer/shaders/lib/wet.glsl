@@ -8,6 +8,8 @@
 #include "level/patches.glsl"
 
 uniform float u_shore_interval_s;
+uniform float u_tide_left_s[17];  // since when the heights from low to high water are dry
+uniform vec2 u_tide_band_m;       // low and high water, heights in the level
 uniform int u_wet_waves;  // so many are remembered; what came before them counts as a mean
 uniform float u_wet_dry_s, u_wet_film, u_wet_film_s, u_wet_lace, u_wet_lace_s;
 
@@ -57,10 +59,19 @@ Wet wave_left(float part, float age, float down_m, vec2 grain) {
     return Wet(old * soak * exp(-since_s / u_wet_dry_s), old * film, old * left);
 }
 
+// What the ebb left on sand at a height over the still sea: as damp as the time makes it since it fell dry.
+float tide_damp(float height) {
+    if (!u_tide_on) return 0.0;
+    float part = (height + u_sea_now_m - u_tide_band_m.x) / max(u_tide_band_m.y - u_tide_band_m.x, 1e-3) * 16.0;
+    if (part >= 16.0 || part < 0.0) return 0.0;
+    float dry_s = mix(u_tide_left_s[int(part)], u_tide_left_s[int(part) + 1], fract(part));
+    return exp(-dry_s / u_wet_dry_s);
+}
+
 // `height` over the still sea.
 Wet shore_wet(vec2 xy, float height, float pixel_m) {
     float top = max(u_shore_range_m * u_shore_runup, 0.02);
-    if (height > top + 2.0 * CREEP_M) return DRY;
+    if (height > top + 2.0 * CREEP_M) return Wet(tide_damp(height), 0.0, 0.0);
     if (height < -ALWAYS_WET_M) return Wet(1.0, 0.0, 0.0);
     Bed bed = bed_at(xy);
     float moving = u_shore_on * u_shore_vertex * bed.sea.x * patch_shore(xy).x;
@@ -79,7 +90,7 @@ Wet shore_wet(vec2 xy, float height, float pixel_m) {
         sum = Wet(max(sum.damp, one.damp), max(sum.film, one.film), max(sum.lace, one.lace));
     }
     float still = 1.0 - smoothstep(0.0, 0.1, height);
-    return Wet(max(sum.damp * moving, still), sum.film * moving * u_wet_film, sum.lace * moving * u_wet_lace);
+    return Wet(max(sum.damp * moving, max(still, tide_damp(height))), sum.film * moving * u_wet_film, sum.lace * moving * u_wet_lace);
 }
 
 // The lace as foam on the sand: two fetches of the sea's own texture, because it lies still and unshaded.
