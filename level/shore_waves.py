@@ -154,7 +154,7 @@ def _fronts(shore: Shore, clock: dict, s: np.ndarray, s_body: Dual, early: Dual,
             f = (c - Dual(cycle)) * (1 + shore.runup)
             yield s - f.v, s_body - f, f, (clock["u_shore_cycle"] + cycle.astype(np.int64)) * shore.count - k
         return
-    since = clock["u_shore_clock"] * shore.count - lead_arrival(shore, s_body, early, travel)
+    since = Dual(clock["u_shore_clock"] * shore.count) - lead_arrival(shore, s_body, early, travel)
     last = np.floor(since.v)
     for k in range(shore.count + 1):
         u = (Dual(last + 1.0 - k) - since) * (1 / s_cycles(shore))
@@ -204,7 +204,7 @@ def _arrived(shore: Shore, clock: dict, early: Dual, travel: Travel | None) -> D
     shoreline = s_cycles(shore)
     if travel is not None:
         shoreline = (travel.shore - shoreline) * travel.share + shoreline
-    return clock["u_shore_clock"] * shore.count + (early - shoreline)
+    return early - shoreline + clock["u_shore_clock"] * shore.count
 
 
 def _swash(shore: Shore, clock: dict, arrived: Dual, values: np.ndarray, x, y) -> Dual:
