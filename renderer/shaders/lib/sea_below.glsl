@@ -68,8 +68,9 @@ float caustics(vec2 xy, float depth, float pixel_m) {
     strength *= u_caustics_on ? u_caustics_strength * (1.0 - smoothstep(3.0, 6.0, lod)) : 0.0;
     if (strength < 0.01) return 1.0;
     vec2 at = xy / u_caustics_tile_m;
-    vec2 one = textureLod(u_ripple, 0.31 * at + u_ripple_way[1].zz * vec2(0.6, 1.0), 2.0).xy;
-    vec2 two = textureLod(u_ripple, 0.23 * at.yx - u_ripple_way[2].zz * vec2(1.0, -0.5) + 0.37, 2.0).yx;
+    // they pan by whole tiles a turn of their phase, or they would jump when that wraps
+    vec2 one = textureLod(u_ripple, 0.31 * at + u_ripple_way[1].z * vec2(1.0, 1.0), 2.0).xy;
+    vec2 two = textureLod(u_ripple, 0.23 * at.yx - u_ripple_way[2].z * vec2(1.0, -1.0) + 0.37, 2.0).yx;
     at += 0.055 * u_caustics_bend * (one - two);
     if (u_ring_count > 0) at += u_caustics_bend * RING_LENS_M * clamp(depth, 0.2, 2.0) * ring_slope(xy, pixel_m).xy / u_caustics_tile_m;
     float light = textureLod(u_caustics, at, max(lod, 0.0) + 0.7 * depth).r / CAUSTICS_MEAN;
