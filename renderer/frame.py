@@ -41,7 +41,7 @@ OFF = {
                  "caustics.on": "NO_CAUSTICS"},
     "plate.glsl": {"caustics.on": "NO_CAUSTICS"},
 }  # fmt: skip
-WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl")  # read patches.glsl
+WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl", "fronts.glsl")  # read patches.glsl
 IN_THE_SUN = ("sea.glsl", "light.glsl", "view.glsl")  # ask sun_visibility
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
@@ -91,6 +91,8 @@ PASSES: tuple[Pass, ...] = (
     Pass("antialias", ("antialias.glsl",), ("shown",), ("display",), "Smooths single frames.", once=True),
     Pass("upscale", ("upscale.glsl",), ("shown", "smoothed"), ("display",), "To full size where fewer are drawn.",
          once=True),
+    Pass("fronts", ("fronts.glsl",), ("g_eye_depth", "g_material", "u_bed", "u_arrival"), ("display",),
+         "When fronts pass, on the water: crests, ghosts, isochrones, speed, breakers.", "T06", once=True),
     Pass("overlay", ("overlay.glsl", "lines.glsl"), ("g_eye_depth", "under_eye_depth"), ("display",),
          "Brush ring, walkable depth, outline, lines.", "D31 D40", once=True),
     Pass("insets", ("view.glsl", "weather_inset.glsl"), (*GBUFFER, "u_layer_weather"), ("display",),
