@@ -58,7 +58,7 @@ def lines(values: np.ndarray, found: TimingMap, every: float) -> list[Line]:
     first, last = np.ceil(known.min() / every), np.floor(known.max() / every)
     last = min(last, first + MOST_LEVELS)
     return [
-        Line(points * found.cell_m, float(n * every))
+        Line(points * found.cell_m, float(n * every) + 0.0)
         for n in np.arange(first, last + 1)
         for points in contours(values, n * every, found.passage.stands)
     ]

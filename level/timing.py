@@ -122,6 +122,8 @@ def swell_arrivals(level: Level, t: float, x, y) -> dict[str, np.ndarray]:
     lead = arrival_s(level, t, x, y)
     if made is None:
         return {"shore": lead}
+    if len(set(made.period_s)) == 1:  # one swell in place of the level's (one_swell.py)
+        return {"swell1": lead}
     at, fronts = made.at(x, y).swells, fronts_at(level, t)[-1]
     others = {
         f"swell{i + 1}": made.period_s[i] * (at[i].v + phase_noise(level.settings.sea, fronts, i, x, y).v)
@@ -158,3 +160,19 @@ def timing_map(level: Level, t: float, most_side: int = MAP_SIDE) -> TimingMap:
         for old in list(kept)[:-KEPT]:
             del kept[old]
     return kept[key][0]
+
+
+def whole_maps(level: Level, t: float, band: int = 128) -> dict[str, np.ndarray]:
+    """Float32 `(rows, cols)`, a sample a height vertex, row 0 south: arrival in seconds by swell, and `front_speed`.
+
+    NaN where no wave stands. Worked out a band of rows at a time.
+    """
+    rows, cols = level.grid.shape
+    cell_m, maps = level.grid.cell_m, {}
+    for row in range(0, rows, band):
+        x, y = np.meshgrid(np.arange(cols) * cell_m, np.arange(row, min(row + band, rows)) * cell_m)
+        here = passage(level, t, x, y)
+        for name, values in {**swell_arrivals(level, t, x, y), "front_speed": here.speed_mps}.items():
+            part = maps.setdefault(name, np.empty((rows, cols), np.float32))
+            part[row : row + band] = np.where(here.stands, values, np.nan)
+    return maps
