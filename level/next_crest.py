@@ -10,8 +10,7 @@ from .level import Level
 from .noise import LATTICE, lattice
 from .shore_waves import _wave_noise
 from .surf import TYPES, breaker_type
-from .timing import Passage, passage
-from .weather_keys import level_at
+from .timing import Clock, Passage, passage
 
 PIECE = 16  # samples of the way that are asked at once; it is straight over them
 PIECES = 80
@@ -43,34 +42,34 @@ class NextCrest:
 
 def next_crest(level: Level, t: float, x: float, y: float) -> NextCrest | None:
     """The crest that comes next to a world point; None where no wave stands."""
-    here = passage(level, t, [x], [y])
+    clock = Clock.of(level, t)
+    here = passage(level, t, [x], [y], clock)
     if not here.stands[0]:
         return None
     cycles = float(here.cycles.v[0])
     number = int(np.floor(t / here.period_s - cycles)) + 1
     in_s = (cycles + number) * here.period_s - t
     broken = bool(here.broken[0] >= 0)
-    found = None if broken else _break(level, t, x, y, here)
+    found = None if broken else _break(clock, t, x, y, here)
     after = None if found is None else (found[2] - cycles) * here.period_s
     place = (x, y) if found is None else found[:2]
-    there = passage(level, t, [place[0]], [place[1]])
-    height_m = float(there.height_m[0]) * _tall(level, t, *place, number)
+    there = passage(level, t, [place[0]], [place[1]], clock)
+    height_m = float(there.height_m[0]) * _tall(clock, *place, number)
     kind = TYPES[int(breaker_type(there.slope[0], there.height_m[0], there.period_s))]
     return NextCrest(in_s, after, height_m, kind, broken, place)
 
 
-def _tall(level: Level, t: float, x: float, y: float, number: int) -> float:
+def _tall(clock: Clock, x: float, y: float, number: int) -> float:
     """What the wave of that number has of the full height there (shore.variety)."""
-    level = level_at(level, t)
-    shore = level.settings.shore
+    shore = clock.shore
     wave = np.array([number % (shore.count * LATTICE * 64)])
-    noise = _wave_noise(shore, lattice(level.settings.level.seed), np.array([x]), np.array([y]), wave)
+    noise = _wave_noise(shore, lattice(clock.level.settings.level.seed), np.array([x]), np.array([y]), wave)
     return float(1.0 - noise.v[0] * shore.variety)
 
 
-def _break(level: Level, t: float, x: float, y: float, here: Passage) -> tuple[float, float, float] | None:
+def _break(clock: Clock, t: float, x: float, y: float, here: Passage) -> tuple[float, float, float] | None:
     """Where the wave breaks on its way from a point on, and its cycles there; None where it comes to land before."""
-    step_m = max(STEP_M, 0.5 * level.grid.cell_m)
+    step_m = max(STEP_M, 0.5 * clock.level.grid.cell_m)
     along = np.arange(1, PIECE + 1) * step_m
     east, north = float(here.cycles.dx[0]), float(here.cycles.dy[0])
     last = (float(here.broken[0]), x, y, float(here.cycles.v[0]))
@@ -79,7 +78,7 @@ def _break(level: Level, t: float, x: float, y: float, here: Passage) -> tuple[f
         if steep < 1e-9:
             return None
         xs, ys = x + along * east / steep, y + along * north / steep
-        way = passage(level, t, xs, ys)
+        way = passage(clock.level, t, xs, ys, clock)
         past = np.flatnonzero(way.broken >= 0)
         ends = np.flatnonzero(~way.stands)
         if past.size and not (ends.size and ends[0] < past[0]):

@@ -16,7 +16,7 @@ from .arrival import arrival, shore_at
 from .arrival_map import ArrivalMap
 from .beach_map import beach_map
 from .dual import Dual, step
-from .gerstner import phase_noise
+from .gerstner import Fronts, phase_noise
 from .level import Level
 from .noise import lattice
 from .patches import patch_shore
@@ -60,18 +60,34 @@ class Passage:
         return 1.0 / np.maximum(self.period_s * np.hypot(self.cycles.dx, self.cycles.dy), 1e-6)
 
 
-def passage(level: Level, t: float, x, y) -> Passage:
+@dataclass(frozen=True)
+class Clock:
+    """What a level's fronts follow at a moment, found once for many places; `made` is None by depth alone."""
+
+    level: Level
+    shore: Shore
+    fronts: Fronts
+    made: ArrivalMap | None
+
+    @classmethod
+    def of(cls, level: Level, t: float) -> Clock:
+        level = level_at(level, t)
+        return cls(level, shore_at(level, t), fronts_at(level, t)[-1], arrival(level, t))
+
+
+def passage(level: Level, t: float, x, y, clock: Clock | None = None) -> Passage:
     """How fronts pass world points (arrays), in the source of time that the level has."""
-    level = level_at(level, t)
+    clock = clock or Clock.of(level, t)
+    level, shore, made = clock.level, clock.shore, clock.made
     x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
-    shore, bed, made = shore_at(level, t), shore_map(level).at(x, y), arrival(level, t)
+    bed = shore_map(level).at(x, y)
     s = 1.0 - bed["smoothed"] * (1 / shore.range_m)
     early = shore_early(shore, x, y, beach_map(level).at(x, y)[1], lattice(level.settings.level.seed))
     if made is None:
         cycles, travel, share = s * (shore.count / (1 + shore.runup)) - early, None, 0.0
     else:
         share = level.settings.timing.share
-        bend = phase_noise(level.settings.sea, fronts_at(level, t)[-1], 0, x, y)
+        bend = phase_noise(level.settings.sea, clock.fronts, 0, x, y)
         travel = Travel.of(made.at(x, y), bend, share)
         cycles = lead_arrival(shore, s, early * step(0.0, 1.0, s), travel)
     sea = bed["sea"].v * bed["within"].v * patch_shore(level, x, y).v
@@ -116,17 +132,17 @@ def front_speed_mps(level: Level, t: float, x, y) -> np.ndarray:
     return passage(level, t, x, y).speed_mps
 
 
-def swell_arrivals(level: Level, t: float, x, y) -> dict[str, np.ndarray]:
+def swell_arrivals(level: Level, t: float, x, y, clock: Clock | None = None) -> dict[str, np.ndarray]:
     """Absolute seconds by swell: `shore` with the depth's clock, else `swell1` to `swell3`, the leading one first."""
-    made: ArrivalMap | None = arrival(level_at(level, t), t)
-    lead = arrival_s(level, t, x, y)
+    clock = clock or Clock.of(level, t)
+    made, lead = clock.made, passage(level, t, x, y, clock).arrival_s
     if made is None:
         return {"shore": lead}
-    if len(set(made.period_s)) == 1:  # one swell in place of the level's (one_swell.py)
+    if not np.ptp(made.plane, axis=0).any():  # one swell in place of the level's (one_swell.py)
         return {"swell1": lead}
-    at, fronts = made.at(x, y).swells, fronts_at(level, t)[-1]
+    at, sea = made.at(x, y).swells, clock.level.settings.sea
     others = {
-        f"swell{i + 1}": made.period_s[i] * (at[i].v + phase_noise(level.settings.sea, fronts, i, x, y).v)
+        f"swell{i + 1}": made.period_s[i] * (at[i].v + phase_noise(sea, clock.fronts, i, x, y).v)
         for i in range(1, len(at))
     }
     return {"swell1": lead, **others}
@@ -146,9 +162,9 @@ class TimingMap:
 
 def timing_map(level: Level, t: float, most_side: int = MAP_SIDE) -> TimingMap:
     """The level's timing on a grid of at most so many samples a side; kept while neither level nor swell change."""
-    now = level_at(level, t)
-    made, shore = arrival(now, t), shore_at(now, t)
-    key = (level.revision, shore, now.settings.sea, now.settings.level, now.settings.timing, id(made), most_side)
+    clock = Clock.of(level, t)
+    settings, made = clock.level.settings, clock.made
+    key = (level.revision, clock.shore, settings.sea, settings.level, settings.timing, id(made), most_side)
     kept: dict = level.derived.setdefault("timing_maps", {})
     if key not in kept:
         stride = max(1, -(-(max(level.grid.shape) - 1) // (most_side - 1)))
@@ -156,7 +172,7 @@ def timing_map(level: Level, t: float, most_side: int = MAP_SIDE) -> TimingMap:
         rows, cols = (-(-side // stride) for side in level.grid.shape)
         x, y = np.meshgrid(np.arange(cols) * cell_m, np.arange(rows) * cell_m)
         # the map stays with what was made of it: its id is part of the key
-        kept[key] = TimingMap(passage(now, t, x, y), cell_m), made
+        kept[key] = TimingMap(passage(level, t, x, y, clock), cell_m), made
         for old in list(kept)[:-KEPT]:
             del kept[old]
     return kept[key][0]
@@ -168,11 +184,11 @@ def whole_maps(level: Level, t: float, band: int = 128) -> dict[str, np.ndarray]
     NaN where no wave stands. Worked out a band of rows at a time.
     """
     rows, cols = level.grid.shape
-    cell_m, maps = level.grid.cell_m, {}
+    cell_m, maps, clock = level.grid.cell_m, {}, Clock.of(level, t)
     for row in range(0, rows, band):
         x, y = np.meshgrid(np.arange(cols) * cell_m, np.arange(row, min(row + band, rows)) * cell_m)
-        here = passage(level, t, x, y)
-        for name, values in {**swell_arrivals(level, t, x, y), "front_speed": here.speed_mps}.items():
+        here = passage(level, t, x, y, clock)
+        for name, values in {**swell_arrivals(level, t, x, y, clock), "front_speed": here.speed_mps}.items():
             part = maps.setdefault(name, np.empty((rows, cols), np.float32))
             part[row : row + band] = np.where(here.stands, values, np.nan)
     return maps
