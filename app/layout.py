@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from imgui_bundle import hello_imgui, imgui
 
-VERSION = 4  # another number forgets the layouts people saved, as after a change of PANELS
+VERSION = 5  # another number forgets the layouts people saved, as after a change of PANELS
 BRUSHES_PX = 80
 SIDE_PX = 326
 TIMELINE_PX = 46
@@ -41,6 +41,7 @@ PANELS: tuple[Panel, ...] = (
     Panel("Layers", "side"),
     Panel("History", "side"),
     Panel("Waves", "side"),
+    Panel("Timing", "side"),
     Panel("Log", "side"),
 )
 

@@ -174,6 +174,7 @@ class Renderer:
         self.meshes: dict[int, object] = {}
         self.kept: dict[str, object] = {}  # what passes keep from frame to frame
         self.stats: dict = {}
+        self.arriving = False  # the map of arrival in the last picture was not the last word (T06)
         self.unit = 1.0  # of the light in the picture last drawn (sky_light.py)
 
     def draw(
@@ -229,6 +230,7 @@ class Renderer:
         self.uploader.sync(level)
         self.uploader.table(shown)
         made = arrival(shown, time_s)
+        self.arriving = made is not None and not made.settled
         if made is not None:
             self.uploader.arrival(made)
         self.generated.update(row)
