@@ -31,8 +31,9 @@ def draw(editor: Editor) -> None:
     _overlays(editor)
     reading = editor.fronts.reading(editor.session)
     imgui.separator_text("Under the pointer")
-    for line in reading.lines if reading else ["Point at the waves to read them." if editor.fronts.shown else "Off"]:
-        imgui.text_wrapped(line)
+    hint = "Point at the waves to read them." if editor.fronts.shown else "Switch one on to read the waves."
+    for line in reading.lines if reading else (hint, ""):  # always two, so that nothing below moves under the pointer
+        imgui.text_unformatted(line)
     if imgui.collapsing_header("Hot spots###hot_spots", imgui.TreeNodeFlags_.default_open):
         _spots(editor)
     if imgui.collapsing_header("Limits###timing_limits"):
