@@ -46,4 +46,4 @@ def moment_colour(part: float) -> np.ndarray:
 
 def moment_alpha(part: float) -> float:
     """How much of a ghost is seen: the farther in time the less."""
-    return 1.0 if part == 0 else 0.85 - 0.5 * abs(part)
+    return 1.0 if part == 0 else 0.95 - 0.4 * abs(part)

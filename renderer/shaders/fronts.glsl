@@ -1,5 +1,5 @@
 // Over the finished picture, on the water (T06): crests now and their ghosts, isochrones, speed, breakers. Lines have one
-// width on the screen: a phase's distance over its change from pixel to pixel on the water's plane there.
+// width on the screen: a phase's distance over its change from pixel to pixel on the moving surface.
 #include "lib/frame.glsl"
 
 #ifdef VERTEX
@@ -7,6 +7,7 @@ void main() { fullscreen_triangle(); }
 #endif
 
 #ifdef FRAGMENT
+#include "lib/eye_depth.glsl"
 #include "lib/passage.glsl"
 uniform sampler2D g_eye_depth, g_material;
 uniform vec4 u_ghosts[17];     // colour and alpha, from the earliest
@@ -25,11 +26,26 @@ void lay(inout vec4 under, vec3 colour, float alpha) {
     under = vec4(mix(under.rgb, colour, sum > 0.0 ? alpha / sum : 0.0), sum);
 }
 
-// Where the pixel at an offset from this one looks through the level plane of a point, relative to that point.
-vec2 beside(vec3 relative, vec2 offset) {
-    vec3 ray = pixel_ray() + 2.0 * (offset.x / u_size.x * u_ray_x + offset.y / u_size.y * u_ray_y);
-    float down = abs(ray.z) < 1e-5 ? -1e-5 : ray.z;
-    return ray.xy * (relative.z / down) - relative.xy;
+vec3 ray_at(ivec2 pixel, ivec2 size) {
+    vec2 clip = (vec2(pixel) + 0.5) / vec2(size) * 2.0 - 1.0;
+    return u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y;
+}
+
+// World way on the surface as it was drawn, from the middle of a drawn pixel to the next along one side of the screen,
+// in shown pixels: to the neighbour on either hand that lies nearer, for one of them may stand behind an edge.
+vec2 beside(ivec2 pixel, ivec2 way) {
+    ivec2 size = textureSize(g_eye_depth, 0);
+    vec2 nearest = vec2(0.0);
+    float here = texelFetch(g_eye_depth, pixel, 0).r, least = 1e9;
+    vec3 from = ray_at(pixel, size) * here;
+    for (int side = -1; side <= 1; side += 2) {
+        ivec2 at = clamp(pixel + side * way, ivec2(0), size - 1);
+        float eye_depth = texelFetch(g_eye_depth, at, 0).r, apart = abs(eye_depth - here);
+        if (at == pixel || eye_depth <= 0.0 || apart >= least) continue;
+        least = apart;
+        nearest = (ray_at(at, size) * eye_depth - from).xy;
+    }
+    return nearest * vec2(size) / u_size;
 }
 
 // A line where a phase is whole: cover of the pixel, from how far the phase is and how it changes over a pixel. Lines
@@ -56,12 +72,12 @@ float pattern(int kind) {
 
 void main() {
     ivec2 size = textureSize(g_eye_depth, 0), pixel = ivec2(gl_FragCoord.xy * vec2(size) / u_size);
-    float eye_depth = texelFetch(g_eye_depth, pixel, 0).r;
+    float eye_depth = smooth_eye_depth(g_eye_depth);
     if (int(texelFetch(g_material, pixel, 0).g * 255.0 + 0.5) != SEA || eye_depth <= 0.0) discard;
     vec3 relative = pixel_ray() * eye_depth;
     Passage p = passage_at(u_camera.xy + relative.xy);
     if (p.strength <= 0.0) discard;
-    vec2 right = beside(relative, vec2(1.0, 0.0)), up = beside(relative, vec2(0.0, 1.0));
+    vec2 right = beside(pixel, ivec2(1, 0)), up = beside(pixel, ivec2(0, 1));
     float change = length(vec2(dot(p.since.yz, right), dot(p.since.yz, up)));
     vec4 colour = vec4(0.0);
     if (u_front_speed) lay(colour, speed_colour(p.speed_mps), 0.8 * p.strength);
@@ -80,7 +96,7 @@ void main() {
             // the far ones first, the crest itself on top
             int k = (n + 1) / 2 * (n % 2 == 0 ? 1 : -1);
             vec4 ink = u_ghosts[u_ghost_count + k];
-            float phase = p.since.x + float(k) * u_ghost_cycles, width = k == 0 ? 2.6 : 1.6;
+            float phase = p.since.x + float(k) * u_ghost_cycles, width = k == 0 ? 2.6 : 1.8;
             lay(colour, vec3(0.0, 0.02, 0.05), 0.5 * ink.a * p.strength * line(phase, change, width + 2.0));
             lay(colour, ink.rgb, ink.a * p.strength * line(phase, change, width));
         }
