@@ -18,7 +18,7 @@ from ..level.timing import front_speed_mps, period_s
 from ..renderer.show import FrontLines
 from .session import Session
 
-UNITS = ("seconds", "tenths of a period", "periods")
+UNITS = ("seconds", "period / 10", "periods")
 LAYERS = ("crests", "isochrones", "speed", "breakers")
 QUIET_S = 0.5  # the level stands still for so long before lists and labels are made anew
 READ_S = 0.15  # between two readings under the pointer

@@ -11,6 +11,7 @@ from .contours import contours
 from .level import Level
 from .timing import TimingMap, timing_map
 
+LEAP = 0.8  # cycles from sample to sample
 MOST_LEVELS = 400  # of one field: closer than that no line can be told from the next
 
 
@@ -52,7 +53,8 @@ def break_lines(level: Level, t: float, most_side: int | None = None) -> list[Li
 
 def lines(values: np.ndarray, found: TimingMap, every: float) -> list[Line]:
     """All multiples of `every` in a field on the grid of a map, where waves stand."""
-    known = values[found.passage.stands]
+    valid = found.passage.stands & ~_jumps(found.passage.cycles.v)
+    known = values[valid]
     if not known.size:
         return []
     first, last = np.ceil(known.min() / every), np.floor(known.max() / every)
@@ -60,8 +62,20 @@ def lines(values: np.ndarray, found: TimingMap, every: float) -> list[Line]:
     return [
         Line(points * found.cell_m, float(n * every) + 0.0)
         for n in np.arange(first, last + 1)
-        for points in contours(values, n * every, found.passage.stands)
+        for points in contours(values, n * every, valid)
     ]
+
+
+def _jumps(cycles: np.ndarray) -> np.ndarray:
+    """Samples beside a leap in time, where fronts meet from two sides: lines would run along it in a bundle."""
+    found = np.zeros(cycles.shape, bool)
+    for axis in (0, 1):
+        leap = np.abs(np.diff(cycles, axis=axis)) > LEAP
+        at = [slice(None), slice(None)]
+        for part in (slice(None, -1), slice(1, None)):
+            at[axis] = part
+            found[tuple(at)] |= leap
+    return found
 
 
 def _map(level: Level, t: float, most_side: int | None) -> TimingMap:

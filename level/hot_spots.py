@@ -57,14 +57,16 @@ def hot_spots(level: Level, t: float) -> list[HotSpot]:
 
 
 def _patches(field: Field, where: np.ndarray, worst: np.ndarray) -> Iterator[tuple]:
-    """Connected patches of `where`: slices, mask within them, size in metres, (row, col) where `worst` is largest."""
+    """Connected patches of `where`: slices, mask within them, size in metres, (row, col) in the middle of the worst."""
     labels, _ = ndimage.label(where, ROUND)
     for number, box in enumerate(ndimage.find_objects(labels), 1):
         mask = labels[box] == number
         size_m = float(np.sqrt(mask.sum())) * field.map.cell_m
         if size_m < LEAST_M:
             continue
-        row, col = np.unravel_index(np.argmax(np.where(mask, worst[box], -np.inf)), mask.shape)
+        values = np.where(mask, worst[box], -np.inf)
+        at = np.argwhere(values >= values.max() - 0.02 * abs(values.max()))
+        row, col = at[np.argmin(((at - at.mean(axis=0)) ** 2).sum(axis=1))]
         yield box, mask, size_m, (int(row) + box[0].start, int(col) + box[1].start)
 
 
