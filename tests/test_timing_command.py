@@ -2,12 +2,14 @@
 
 import hashlib
 import json
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 from coasts import make_beach
 from shorewright import io
 from shorewright.app.cli import main
+from shorewright.app.commands.timing import _events
 from shorewright.io.images import load_image, read_image
 from shorewright.level.shore_waves import front_speed_mps
 
@@ -119,3 +121,16 @@ def test_folders_with_other_things_and_levels_without_sea_are_refused(beach, tmp
     assert run(tmp_path / "dry.shore", tmp_path / "y") == 2
     assert "no sea" in capsys.readouterr().err
     assert not (tmp_path / "y").exists()
+
+
+def test_events_are_the_crests_at_probes(beach):
+    """T06: every crest of the minute, a period apart, with its break."""
+    level, _ = beach
+    level.objects["buoy"] = SimpleNamespace(kind="probe", x=32.0, y=10.0)
+    found = _events(level, 5.0)["events"]
+    shore = level.settings.shore
+    times = np.array([event["time_s"] for event in found])
+    assert len(times) == (65.0 - times[0]) // shore.interval_s + 1
+    np.testing.assert_allclose(np.diff(times), shore.interval_s, atol=2e-3)
+    assert {event["probe"] for event in found} == {"buoy"}
+    assert all(5.0 <= event["time_s"] <= 65.0 and event["breaks_s"] > event["time_s"] for event in found)
