@@ -21,6 +21,7 @@ KINDS = {
     "bar": "Doubles over a bar",
 }
 LEAST_M = 8.0  # across; what is smaller no player sees
+AFTER_BREAKING = 0.5  # so much of breaker · depth a wave keeps behind a bar that broke it
 MOST = 12  # of one kind, the largest
 ROUND = np.ones((3, 3), bool)
 
@@ -151,6 +152,8 @@ def _bar(field: Field) -> Iterator[HotSpot]:
     depth, least = (values[::stride, ::stride][:rows, :cols] for values in (bed.packed[..., 1], bed.bottleneck))
     trough = depth - least
     near = field.map.passage.stands & (least > 0) & (least < shore.range_m) & (trough > timing.bar_m)
+    if timing.share > 0.5:  # a swell breaks on it only where it is shallow for such a wave
+        near &= field.map.passage.height_m > AFTER_BREAKING * timing.breaker * least
     for _, _, size_m, at in _patches(field, near, trough):
         deep_m, bar_m = float(depth[at]), float(least[at])
         told = f"Behind a bar at {bar_m:.1f} m of depth the bed falls to {deep_m:.1f} m over {size_m:.0f} m: "

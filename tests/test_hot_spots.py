@@ -71,6 +71,10 @@ def test_a_bar_is_told_with_its_trough(source):
     assert spot.value == pytest.approx(1.2, abs=0.1)
     assert spot.y == pytest.approx(100, abs=2)
     assert ("again on the beach" in spot.sentence) == (source == "travel_time")
+    if source == "travel_time":
+        level.set("sea.swell_m", 0.05)  # too low to break on it
+        assert not spots(level, "bar")
+        level.set("sea.swell_m", 0.45)
     level.set("timing.bar_m", 1.5)
     assert not spots(level, "bar")
 
