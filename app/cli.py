@@ -29,6 +29,7 @@ VERBS: dict[str, str] = {
     "render": "pictures:render",
     "sheet": "sheets:sheet",
     "weather": "weather:app",
+    "timing": "timing:timing",
     "stroke": "scripts:stroke",
     "export": "exports:export",
     "check": "exports:check",

@@ -19,6 +19,7 @@ from ..renderer.show import Inset, Overlays
 from .actions import ACTIONS, Action
 from .arrival_lender import ArrivalLender
 from .camera_control import between
+from .front_view import LAYERS, FrontView
 from .messages import Messages
 from .preferences import Preferences
 from .probe import Probe, probe
@@ -31,6 +32,7 @@ FORCE_INSET = Inset("force", heading=True)
 WEATHER_INSET = Inset("weather_map", "lower-left", 0.34)  # Z04
 INSETS = {"force_inset": FORCE_INSET, "weather_inset": WEATHER_INSET}  # requests that switch one on or off
 OVERLAYS = ("walkable", "outline", "centre")
+FRONTS = {f"front_{name}": name for name in LAYERS}  # requests, and the overlay that they switch
 QUALITIES = ("low", "medium", "high")
 TOLD = {"undo": "Undone: {}", "redo": "Redone: {}"}
 WHILE_STROKING = {"abort", "undo", "pause", "step", "step_back", "water"}  # other actions wait for the release
@@ -64,6 +66,7 @@ class Editor:
         self.outline = False
         self.centre = False
         self.insets: tuple[Inset, ...] = ()  # T12
+        self.fronts = FrontView()  # T06
         self.typing = False  # a text field has the keyboard
         self.map_pointer: tuple[float, float, float] | None = None  # the sky over what the weather panel points at
         self.flying = False  # the right button is held: letters steer
@@ -162,6 +165,8 @@ class Editor:
         if request in INSETS:
             others = tuple(inset for inset in self.insets if inset != INSETS[request])
             self.insets = others if others != self.insets else (*others, INSETS[request])
+        elif request in FRONTS:
+            self.fronts.toggle(FRONTS[request])
         elif request in OVERLAYS:
             setattr(self, request, not getattr(self, request))
         else:
@@ -190,7 +195,10 @@ class Editor:
 
     @property
     def overlays(self) -> Overlays:
-        return Overlays(walkable=self.walkable, outline=self.outline, centre=self.centre, insets=self.insets)
+        fronts = self.fronts.lines(self.session)
+        return Overlays(
+            walkable=self.walkable, outline=self.outline, centre=self.centre, insets=self.insets, fronts=fronts
+        )  # fmt: skip
 
     @property
     def live(self) -> bool:

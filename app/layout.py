@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from imgui_bundle import hello_imgui, imgui
 
-VERSION = 6  # another number forgets the layouts people saved, as after a change of PANELS
+VERSION = 7  # another number forgets the layouts people saved, as after a change of PANELS
 BRUSHES_PX = 80
 SIDE_PX = (326, 400)  # at least and at most
 SIDE_SHARE = 0.235  # of the width, in between
@@ -43,6 +43,7 @@ PANELS: tuple[Panel, ...] = (
     Panel("History", "side"),
     Panel("Waves", "side"),
     Panel("Probes", "side"),
+    Panel("Timing", "side"),
     Panel("Log", "side"),
 )
 

@@ -91,6 +91,11 @@ class Picture:
             return True
         return self._unfinished or self._refining or self._changed_at + SETTLE_S * 2 > time.monotonic()
 
+    @property
+    def updating(self) -> bool:
+        """Whether the waves shown keep times of arrival that are coarse or of a bed from before (T06)."""
+        return self.renderer is not None and self.renderer.arriving
+
     def _settled(self, editor: Editor, size: tuple[int, int]) -> bool:
         """Whether what is shown is what a picture that stands still becomes in the end."""
         drawn = self.drawn

@@ -5,7 +5,7 @@ from __future__ import annotations
 from imgui_bundle import imgui
 
 from ..renderer import SHOW_FLAGS, VIEWS
-from . import sky_brush, theme
+from . import front_overlay, sky_brush, theme
 from .actions import ACTIONS
 from .editor import QUALITIES, Editor
 from .marker_overlay import MarkerOverlay
@@ -67,6 +67,8 @@ class Viewport:
             overlay.ring(session.cursor, invert, stroke.smooth if stroke else io.key_shift)
             if stroke:
                 overlay.beside_pointer(stroke_text(self.editor.probe()))
+        self.editor.fronts.updating = self.picture.updating
+        front_overlay.draw(overlay, self._brushing(hovered))
         MarkerOverlay(overlay).draw(self._where(origin) if hovered else None)
         if self.picture.drawn is None and not self.picture.failure:
             overlay.corner_text("Preparing the picture…")

@@ -23,7 +23,16 @@ from .dialogs import Dialogs
 from .editor import Editor
 from .guard import Guard
 from .palette import Palette
-from .panels import brush_bar, history_panel, layers_panel, log_panel, objects_panel, settings_panel, views_panel
+from .panels import (
+    brush_bar,
+    history_panel,
+    layers_panel,
+    log_panel,
+    objects_panel,
+    settings_panel,
+    timing_panel,
+    views_panel,
+)
 from .panels.probe_panel import ProbePanel
 from .panels.waves_panel import WavesPanel
 from .panels.weather_panel import WeatherPanel
@@ -128,6 +137,7 @@ class Window:
             "Views": lambda: views_panel.draw(editor),
             "Waves": lambda: self.waves.draw(editor),
             "Probes": lambda: self.probes.draw(editor),
+            "Timing": lambda: timing_panel.draw(editor),
             "Log": lambda: log_panel.draw(editor),
         }
         return {name: self.guard.wrap(name, draw) for name, draw in draws.items()}

@@ -46,8 +46,8 @@ OFF = {
                  "caustics.on": "NO_CAUSTICS"},
     "plate.glsl": {"caustics.on": "NO_CAUSTICS"},
 }  # fmt: skip
-WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl")  # read patches.glsl
-WITH_FRONTS = ("sea.glsl", "view.glsl")  # read gerstner.glsl
+WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl", "fronts.glsl")  # read patches.glsl
+WITH_FRONTS = ("sea.glsl", "view.glsl", "fronts.glsl")  # read gerstner.glsl
 IN_THE_SUN = ("sea.glsl", "light.glsl", "view.glsl")  # ask sun_visibility
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
@@ -97,6 +97,8 @@ PASSES: tuple[Pass, ...] = (
     Pass("antialias", ("antialias.glsl",), ("shown",), ("display",), "Smooths single frames.", once=True),
     Pass("upscale", ("upscale.glsl",), ("shown", "smoothed"), ("display",), "To full size where fewer are drawn.",
          once=True),
+    Pass("fronts", ("fronts.glsl",), ("g_eye_depth", "g_material", "u_bed", "u_arrival"), ("display",),
+         "When fronts pass, on the water: crests, ghosts, isochrones, speed, breakers.", "T06", once=True),
     Pass("overlay", ("overlay.glsl", "lines.glsl"), ("g_eye_depth", "under_eye_depth"), ("display",),
          "Brush ring, walkable depth, outline, lines.", "D31 D40", once=True),
     Pass("insets", ("view.glsl", "weather_inset.glsl"), (*GBUFFER, "u_layer_weather"), ("display",),
@@ -183,6 +185,7 @@ class Renderer:
         self.meshes: dict[int, object] = {}
         self.kept: dict[str, object] = {}  # what passes keep from frame to frame
         self.stats: dict = {}
+        self.arriving = False  # the map of arrival in the last picture was not the last word (T06)
         self.unit = 1.0  # of the light in the picture last drawn (sky_light.py)
 
     def draw(
@@ -240,6 +243,7 @@ class Renderer:
         self.uploader.sync(level)
         self.uploader.table(shown)
         made = arrival(shown, time_s)
+        self.arriving = made is not None and not made.settled
         if made is not None:
             self.uploader.arrival(made)
         self.generated.update(row)

@@ -133,6 +133,55 @@ class Inset:
         return cls(view, corner, size_part, turn_deg, heading, extent_m)
 
 
+MOST_GHOSTS = 8  # of crests, to either side
+
+
+@dataclass(frozen=True)
+class FrontLines:
+    """When fronts pass, drawn on the water (T06); `step_s` lies between two ghosts, `ghosts` of them to either side."""
+
+    crests: bool = False
+    ghosts: int = 0
+    step_s: float = 1.0
+    isochrones_s: float = 0.0  # 0: none
+    speed: bool = False
+    breakers: bool = False
+    slowest_mps: float = 0.0  # of the colours of the speed
+    fastest_mps: float = 10.0
+
+    @classmethod
+    def parse(cls, text: str) -> FrontLines:
+        """From `crests,ghosts:3:0.5,isochrones:2,speed:12,breakers`; BadInput says what is wrong."""
+        found: dict = {}
+        for word in filter(None, (part.strip() for part in text.split(","))):
+            name, *values = word.split(":")
+            try:
+                found |= _front_words(name, [float(value) for value in values])
+            except (ValueError, IndexError):
+                raise BadInput(
+                    f"{word!r} is no overlay of fronts: crests, ghosts:COUNT:SECONDS, isochrones:SECONDS, speed:MPS and"
+                    " breakers are"
+                ) from None
+        return cls(**found)
+
+
+def _front_words(name: str, values: list[float]) -> dict:
+    """What one word of FrontLines.parse sets; ValueError for what makes no sense."""
+    most = {"crests": 0, "ghosts": 2, "isochrones": 1, "speed": 1, "breakers": 0}
+    if name not in most or len(values) > most[name] or not all(0 < value <= 1e5 for value in values):
+        raise ValueError(name)
+    if name == "ghosts":
+        count, step = values[0] if values else 2.0, values[1] if len(values) > 1 else 1.0
+        if count != int(count) or count > MOST_GHOSTS:
+            raise ValueError(name)
+        return {"crests": True, "ghosts": int(count), "step_s": step}
+    if name == "isochrones":
+        return {"isochrones_s": values[0] if values else 2.0}
+    if name == "speed":
+        return {"speed": True, "fastest_mps": values[0] if values else 10.0}
+    return {name: True}
+
+
 @dataclass(frozen=True)
 class Overlays:
     """What is laid over the finished picture."""
@@ -143,3 +192,4 @@ class Overlays:
     centre: bool = False  # D40: a cross at the centre of the screen
     lines: tuple[tuple[tuple[float, float, float], ...], ...] = ()  # world polylines, such as the ramp's preview
     insets: tuple[Inset, ...] = ()  # T12
+    fronts: FrontLines | None = None  # T06

@@ -23,9 +23,11 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "CO
                            {"SEA_ALONE": "", "REFLECTIONS": "", "QUIET": "", "CLOUD_SHADOW": ""}),
             "lamps.glsl": ({}, {"UNDER": ""}), "props.glsl": ({}, {"MARK": ""}), "prop_shadow.glsl": ({}, {"PROP": ""}),
             "plate.glsl": ({"DOWN": ""}, {"ALONG": ""}, {"ACROSS": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
+            "fronts.glsl": ({}, {"TRAVEL_TIME": ""}, {"TRAVEL_TIME": "", "PATCHED": ""}),
             "weather_inset.glsl": ({"INSET_MAP": ""},),
             "view.glsl": ({"VIEW_VALUE": "vec3(1.0)"},
                           {"VIEW_VALUE": "vec3(rain_at(position.xy, ground.x), 0.0)", "WEATHER": ""},
+                          {"VIEW_VALUE": "breaker_shown(passage_at(position.xy))", "PASSAGE": "", "TRAVEL_TIME": ""},
                           {"VIEW_VALUE": "weather_stage(position.xy)", "WEATHER_STAGE": ""},
                           {"VIEW_VALUE": "wave_objects_colour(position.xy, 1.0)", "WAVE_OBJECTS": "",
                            "WAVE_REGIONS": ""}),
@@ -158,6 +160,7 @@ def test_views_compile_with_at_most_16_samplers(ctx):
             defines |= {"PATCHES": ""} if "patch_colour" in view.value else {}
             defines |= {"WEATHER_STAGE": ""} if "weather_stage" in view.value else {}
             defines |= {"WEATHER": ""} if "rain_at" in view.value or "weather_map" in view.value else {}
+            defines |= {"PASSAGE": ""} if "passage" in view.value else {}
             name = "cloud_view.glsl" if view.sky else "view.glsl"
             assert len(programs.get(name, VIEW_VALUE=view.value, **defines).samplers) <= MOST_SAMPLERS
     programs.release()

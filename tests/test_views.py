@@ -6,6 +6,7 @@ from shorewright.level import LAYERS, BadInput, Grid, Level, Rect
 from shorewright.level.meshes import block
 from shorewright.level.objects import Camera, Disturbance, Hit, Mover, PointLight, Prop
 from shorewright.renderer import SHOW_FLAGS, VIEWS, Overlays, Renderer, Ring, Show, render
+from shorewright.renderer.show import FrontLines
 
 pytestmark = pytest.mark.gl
 SIZE = (96, 54)
@@ -120,13 +121,14 @@ def test_vertex_animation_off_stops_the_water_but_not_the_masks(scene):
 
 
 def test_overlays_draw_over_the_picture_and_are_gone_without(scene):
-    """Brush ring, walkable depth over the water, outline, the centre of the game camera, lines (D31, D40)."""
+    """Brush ring, walkable depth over the water, outline, the centre of the game camera, lines (D31 D40), fronts."""
     plain = picture(scene)
     rows = [
         Overlays(ring=Ring(80, 70, 12, 0.3)),
         Overlays(walkable=True),
         Overlays(outline=True),
         Overlays(centre=True),
+        *(Overlays(fronts=FrontLines.parse(w)) for w in ("crests", "ghosts:2:1", "isochrones:2", "speed", "breakers")),
         Overlays(lines=(((60, 60, 5), (100, 70, 5)), ((80, -200, 5), (80, 80, 5)))),
     ]
     pictures = [picture(scene, overlays=row) for row in rows]

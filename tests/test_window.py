@@ -15,6 +15,7 @@ from shorewright import io
 from shorewright.app.recovery_offer import offers
 from shorewright.io.images import write_image
 from shorewright.level.framing import cameras
+from shorewright.level.next_crest import next_crest
 
 pytestmark = pytest.mark.window
 HERE = Path(__file__).parent
@@ -206,6 +207,22 @@ def test_probes_are_dropped_and_drawn(drive):
     assert found["moves"] > 0.1
     assert found["asked"] == "EventForm"
     assert found["bad"] == []
+
+
+def test_the_timing_is_read_on_the_water(drive):
+    """T06: overlays by key and box, the sentence under the pointer equals the level's, a hot spot is gone to."""
+    found = drive("timing", by="window_time.py")
+    assert found["bad"] == []
+    assert found["on"] == ["breakers", "crests", "isochrones", "speed"]
+    assert found["drawn"]
+    level = io.read_level(drive.path)
+    expected = next_crest(level, 14.0, *found["at"])
+    assert found["said"][0].lower() == expected.sentence
+    assert expected.type in found["said"][1]
+    assert found["labels"] > 3
+    assert found["spots"][0] == "too_fast"
+    assert found["moved"]
+    assert len(found["steps"]) == 1  # the setting alone
 
 
 def test_weather_is_painted_on_the_sky_and_on_the_map(drive):

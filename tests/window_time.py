@@ -1,4 +1,4 @@
-"""Works the clock in the real window: markers, steps, probes; see window_drive.py."""
+"""Works the clock in the real window: markers, steps, probes, the timing panel; see window_drive.py."""
 
 import numpy as np
 from imgui_bundle import imgui
@@ -69,6 +69,46 @@ def water_probes(hands: Hands) -> None:
     hands.key(imgui.Key.escape)
     hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
     hands.settle()
+
+
+def timing(hands: Hands) -> None:
+    """Overlays by key and by box, what the pointer reads on the water, a hot spot gone to (T06); nothing broke."""
+    ctx, session, fronts = hands.ctx, hands.session, hands.editor.fronts
+    session.pause()
+    session.scrub(14.0)
+    session.set("timing.fast_mps", 1.0)  # then an even beach is too fast
+    ctx.window_focus("//Timing")
+    ctx.yield_(10)
+    _patiently(hands, lambda: fronts.on["crests"], lambda: hands.key(imgui.Key.t))
+    for name in ("isochrones", "speed", "breakers"):
+        box = f"//Timing/**/###front_{name}"
+        _patiently(hands, lambda name=name: fronts.on[name], lambda box=box: ctx.item_click(box))
+    hands.note(on=sorted(name for name, on in fronts.on.items() if on), drawn=hands.editor.overlays.fronts is not None)
+    places = [(x, y) for y in (0.55, 0.62, 0.7, 0.8) for x in (0.3, 0.5, 0.7)]
+    for place in places:
+        hands.move(place)
+        for _ in range(20):
+            ctx.yield_(1)
+        if fronts.reading(session):
+            break
+    found = fronts.reading(session)
+    hands.note(said=found.lines if found else [], at=[found.x, found.y] if found else [])
+    hands.settle()
+    before = session.camera
+    hands.note(spots=[spot.kind for spot in fronts.hot_spots(session)], labels=len(fronts.isochrones(session)))
+    _patiently(hands, lambda: session.camera != before, lambda: ctx.item_click("//Timing/**/###spot_1"))
+    hands.note(moved=session.camera != before, steps=[step.label for step in session.journal.done])
+    hands.note(bad=[line.text for line in hands.editor.messages.lines if line.bad])
+
+
+def _patiently(hands: Hands, done, work) -> None:
+    """`Hands.until` for what a second time would undo: once more only after a long wait."""
+    for _ in range(5):
+        work()
+        for _ in range(60):
+            if done():
+                return
+            hands.ctx.yield_(1)
 
 
 if __name__ == "__main__":

@@ -39,6 +39,9 @@ def render(
     inset: Annotated[
         list[str] | None, Parameter(negative="", help="VIEW:CORNER:SIZE:TURN:METRES, a view in a corner; may repeat.")
     ] = None,
+    fronts: Annotated[
+        str | None, Parameter(help="Laid over the water: crests, ghosts:COUNT:S, isochrones:S, speed:MPS, breakers.")
+    ] = None,
     memory: Annotated[bool, Parameter(negative="", help="Also list what it took of the GPU, by target.")] = False,
 ) -> int:
     """Draw a level into a PNG or EXR.
@@ -53,8 +56,8 @@ def render(
     writable_parent(output)
     found = _level(level, environment, weather, assignments)
     options |= look(view, hide)
-    if inset:
-        options["overlays"] = _insets(inset)
+    if inset or fronts is not None:
+        options["overlays"] = _overlays(inset or [], fronts)
     other = compared(found, against, hide) if against else None
     _draw(found, _camera(found, camera), output, times, frames is not None, options, other)
     if memory:
@@ -109,10 +112,11 @@ def _camera(level, text: str):
     return level.camera(text)
 
 
-def _insets(texts: list[str]):
-    from ...renderer.show import Inset, Overlays
+def _overlays(insets: list[str], fronts: str | None):
+    from ...renderer.show import FrontLines, Inset, Overlays
 
-    return Overlays(insets=tuple(Inset.parse(text) for text in texts))
+    lines = FrontLines.parse(fronts) if fronts is not None else None
+    return Overlays(insets=tuple(Inset.parse(text) for text in insets), fronts=lines)
 
 
 def look(view: str, hide: list[str] | None) -> dict:

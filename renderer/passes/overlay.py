@@ -5,12 +5,11 @@ from __future__ import annotations
 import numpy as np
 
 from ..frame import Frame
-from ..show import Overlays
 
 
 def draw(frame: Frame) -> None:
     overlays, ctx = frame.overlays, frame.renderer.ctx
-    if overlays == Overlays():
+    if not (overlays.ring or overlays.walkable or overlays.outline or overlays.centre or overlays.lines):
         return
     frame.targets.display.use()
     width, height = frame.full_size

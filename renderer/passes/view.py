@@ -7,6 +7,7 @@ from ..high_layers import bind_patterns
 from ..uniforms import shore_field_uniforms
 from ..view_row import View
 from . import cloud_view, weather
+from .fronts import passage_uniforms
 from .sea import bind_water, extent_uniforms, sea_extent
 
 
@@ -36,6 +37,9 @@ def bind_view(frame: Frame, view: View) -> dict[str, str]:
         defines["SHORE_FIELD"] = ""
         frame.textures["u_shore_field"] = uploader.shore_field(frame.level)
         frame.uniforms |= shore_field_uniforms(frame.level)
+    if "passage_" in view.value:
+        defines["PASSAGE"] = ""
+        frame.uniforms |= passage_uniforms(frame)
     if "cirrus_at" in view.value or "alto_at" in view.value:
         defines["HIGH_CLOUDS"] = ""
         bind_patterns(frame, frame.renderer.kept)

@@ -6,6 +6,7 @@ void main() { fullscreen_triangle(); }
 #endif
 
 #ifdef FRAGMENT
+#include "lib/eye_depth.glsl"
 uniform sampler2D under_eye_depth;
 uniform vec4 u_ring;      // x, y, radius m, hardness; no ring where the radius is 0
 uniform bool u_outline, u_centre;
@@ -21,30 +22,12 @@ void lay(inout vec4 under, vec3 colour, float alpha) {
     under = vec4(mix(under.rgb, colour, sum > 0.0 ? alpha / sum : 0.0), sum);
 }
 
-// Eye depth of the ground. Where fewer pixels were drawn than are shown, between four of them: over a plane, one over
-// the depth is linear on the screen.
-float ground_eye_depth() {
-    ivec2 size = textureSize(under_eye_depth, 0);
-    vec2 at = gl_FragCoord.xy * vec2(size) / u_size;
-    float nearest = texelFetch(under_eye_depth, ivec2(at), 0).r;
-    if (size == ivec2(u_size) || nearest <= 0.0) return nearest;
-    ivec2 low = clamp(ivec2(floor(at - 0.5)), ivec2(0), size - 1), high = min(low + 1, size - 1);
-    vec2 f = clamp(at - 0.5 - vec2(low), 0.0, 1.0);
-    vec4 depths = vec4(texelFetch(under_eye_depth, low, 0).r, texelFetch(under_eye_depth, ivec2(high.x, low.y), 0).r,
-                       texelFetch(under_eye_depth, ivec2(low.x, high.y), 0).r, texelFetch(under_eye_depth, high, 0).r);
-    float least = min(min(depths.x, depths.y), min(depths.z, depths.w));
-    float most = max(max(depths.x, depths.y), max(depths.z, depths.w));
-    if (least < 0.8 * most) return nearest;  // an edge
-    vec4 inverse = 1.0 / depths;
-    return 1.0 / mix(mix(inverse.x, inverse.y, f.x), mix(inverse.z, inverse.w, f.x), f.y);
-}
-
 float line(float distance_m, float width_px, float pixel_m) {
     return 1.0 - smoothstep(0.5 * width_px, 0.5 * width_px + 1.0, abs(distance_m) / pixel_m);
 }
 
 void main() {
-    float eye_depth = ground_eye_depth();
+    float eye_depth = smooth_eye_depth(under_eye_depth);
     vec3 relative = pixel_ray() * eye_depth;
     vec2 ground = u_camera.xy + relative.xy;
     float pixel_m = max(pixel_metres(relative, vec3(0.0, 0.0, 1.0)), 1e-4);

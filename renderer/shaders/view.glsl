@@ -33,6 +33,9 @@ uniform sampler2D u_walkable;
 #ifdef HIGH_CLOUDS
 #include "lib/high_clouds.glsl"
 #endif
+#ifdef PASSAGE
+#include "lib/passage.glsl"
+#endif
 #ifdef SHORE_FIELD
 #include "lib/shore_field.glsl"
 #endif

@@ -1,0 +1,60 @@
+// When fronts pass a place, how fast and how high, and whether they have broken (T06). The twin is level/timing.py.
+#include "level/waves.glsl"
+
+uniform float u_front_period_s, u_timing_breaker;
+uniform vec3 u_breaker_colours[3];  // spilling, plunging, surging
+
+const float BROKEN_SHARE = 0.95;    // level/surf.py
+const vec2 BREAKER_LIMITS = vec2(0.4, 2.0);
+const float FLAT = 0.03;
+
+struct Passage {
+    vec3 since;       // dual: crests that have passed since the clock's cycle began
+    float arrival_s;
+    float speed_mps;
+    float strength;   // 1 where a wave stands that one can see
+    float broken;     // below 0 before the break, above it behind
+    float similarity; // ξ
+};
+
+Passage passage_at(vec2 xy) {
+    Bed bed = bed_at(xy);
+    vec3 s = d_const(1.0) - bed.smoothed / u_shore_range_m;
+    vec3 early = shore_early(xy, beach_at(xy).sway);
+    float high = shore_height_along(s).x, share = 0.0;
+#ifdef TRAVEL_TIME
+    share = u_arrival_share;
+    Passing passing = passing_at(xy);
+    early = d_mul(early, d_step(0.0, 1.0, s));
+    vec3 cycles = lead_arrival(passing, phase_noise(HIGH_FRONTS, xy), s, early);
+    high = mix(high, passing.lead_height.x, share);
+#else
+    vec3 cycles = s * s_cycles() - early;
+#endif
+    if (share < 1.0) high *= smoothstep(0.0, max(u_shore_fade_in, 1e-3), s.x) * u_shore_on;
+    Passage p;
+    p.since = d_const(u_shore_clock * float(u_shore_count)) - cycles;
+    p.arrival_s = cycles.x * u_front_period_s;
+    p.speed_mps = 1.0 / max(length(cycles.yz) * u_front_period_s, 1e-6);
+    float sea = bed.sea.x * bed.within.x * patch_shore(xy).x;
+    p.strength = step(0.5, sea) * smoothstep(0.5, 1.0, bed.within.x) * smoothstep(0.0, 3.0 * FLAT, high) * float(s.x < 1.0);
+    float height_m = high * u_shore_height_m;
+    float most_m = u_timing_breaker * BROKEN_SHARE * max(bed.smoothed.x, 1e-3);
+    p.broken = mix(s.x / BREAK_S - 1.0, clamp(height_m / most_m - 1.0, -1.0, 1.0), share);
+    float length_m = 9.81 * u_front_period_s * u_front_period_s / TURN;
+    p.similarity = length(bed.smoothed.yz) / sqrt(max(height_m, 1e-3) / length_m);
+    return p;
+}
+
+// Index of spilling, plunging, surging.
+int breaker_kind(Passage p) { return int(p.similarity >= BREAKER_LIMITS.x) + int(p.similarity >= BREAKER_LIMITS.y); }
+
+vec3 breaker_shown(Passage p) {
+    return p.strength * (p.broken < 0.0 ? vec3(0.08) : u_breaker_colours[breaker_kind(p)] * (1.0 - 0.6 * min(p.broken * 2.0, 1.0)));
+}
+
+// Seconds of arrival (x) and speed over the ground (y) where a wave stands.
+vec2 passage_shown(vec2 xy) {
+    Passage p = passage_at(xy);
+    return p.strength > 0.0 ? vec2(p.arrival_s, p.speed_mps) : vec2(0.0);
+}
