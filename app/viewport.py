@@ -8,16 +8,17 @@ from ..renderer import SHOW_FLAGS, VIEWS
 from . import sky_brush, theme
 from .actions import ACTIONS
 from .editor import QUALITIES, Editor
+from .front_overlay import FrontOverlay
 from .marker_overlay import MarkerOverlay
 from .panels import views_panel
 from .param_widgets import tooltip
 from .picture import Picture
-from .tools import BRUSH, SELECT, TOOLS
+from .tools import BRUSH, FRONT, SELECT, TOOLS
 from .viewport_overlay import Overlay, stroke_text
 from .viewport_pointer import Pointer
 
 _FLAGS = imgui.ButtonFlags_
-FIRST_OF_GROUP = {next(name for name in TOOLS if name not in (BRUSH, SELECT)): "Drop"}
+FIRST_OF_GROUP = {next(name for name in TOOLS if name not in (BRUSH, SELECT, FRONT)): "Drop"}
 BUTTONS = _FLAGS.mouse_button_left | _FLAGS.mouse_button_right | _FLAGS.mouse_button_middle
 
 
@@ -67,6 +68,8 @@ class Viewport:
             overlay.ring(session.cursor, invert, stroke.smooth if stroke else io.key_shift)
             if stroke:
                 overlay.beside_pointer(stroke_text(self.editor.probe()))
+        if session.tool == FRONT:
+            FrontOverlay(overlay, self.pointer.front).draw()
         MarkerOverlay(overlay).draw(self._where(origin) if hovered else None)
         if self.picture.drawn is None and not self.picture.failure:
             overlay.corner_text("Preparing the picture…")

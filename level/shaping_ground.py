@@ -1,0 +1,310 @@
+"""The bed in a disc while a front is shaped: what the clock makes of it, what limits allow, what is changed (T07)."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+from scipy import ndimage, sparse
+
+from .arrival import Asked, asked_of, shore_at, swell
+from .arrival_map import ArrivalMap
+from .beach_map import beach_map
+from .dual import Dual, step
+from .errors import BadInput
+from .gerstner import phase_noise
+from .grid import Rect
+from .level import Level
+from .noise import lattice
+from .shaping_plate import Plate
+from .shaping_travel import lead_map, ray_rows
+from .shore import ROCKS_M, bed_in, shore_map
+from .shore_waves import LANDING_S, Travel, lead_arrival, s_cycles, shore_early
+from .weather_keys import level_at
+
+QUICK_SIDE = 160  # samples a side that the clock looks at in each frame of a drag
+COARSE = {True: 129, False: 257}  # texels a side of the level in which times of travel are looked for
+CALMER = 12  # passes in which slopes are brought down bit by bit; then all of the change is made less
+SILL_M = 0.03  # how far below the crest's depth a sill on its way is brought
+
+
+class ShapingGround:
+    """`field` is g over the window, less where slopes would pass the limit: depth becomes depth · e^g."""
+
+    def __init__(self, level: Level, t: float, at, radius_m: float, slope_deg: float, quick: bool) -> None:
+        self.level = then = level_at(level, t)
+        self.t, self.at, self.radius_m, self.quick = t, at, radius_m, quick
+        self.shore, self.share = shore_at(then, t), then.settings.timing.share
+        self.map = have = shore_map(then)
+        if not (self.shore.on and (have.bottleneck > 0).any()):
+            raise BadInput("there is no sea in this level whose waves could be shaped")
+        self.window = self._window()
+        self.every = max(1, math.ceil(max(self.window.shape) / QUICK_SIDE)) if quick else 1
+        skip = slice(None, None, self.every)
+        self.cell_m = have.cell_m * self.every
+        self.depth = np.ascontiguousarray(have.packed[..., 1][self.window.slices][skip, skip])
+        self.sea = (have.bottleneck[self.window.slices][skip, skip] > 0) & (self.depth > 0)
+        rows, cols = self.depth.shape
+        self.axes = (self.window.col0 * have.cell_m + np.arange(cols) * self.cell_m,
+                     self.window.row0 * have.cell_m + np.arange(rows) * self.cell_m)  # fmt: skip
+        self.steepest = math.tan(math.radians(slope_deg))
+        self.values = lattice(then.settings.level.seed)
+        self.was_steep = self._slope(self.depth)
+        self._times: dict[bool, tuple[Asked, ArrivalMap, ArrivalMap]] = {}
+        self._fine: ArrivalMap | None = None
+        self.begin()
+
+    def _window(self) -> Rect:
+        """The disc and what the clock's smoothing sees round it, in cells of the shore map."""
+        cell_m, margin = self.map.cell_m, 3 * max(self.shore.smooth_m, ROCKS_M)
+        low = [int((centre - self.radius_m - margin) // cell_m) for centre in self.at]
+        high = [math.ceil((centre + self.radius_m + margin) / cell_m) + 1 for centre in self.at]
+        rows, cols = self.map.packed.shape[:2]
+        window = Rect(low[1], low[0], high[1], high[0]).intersect(Rect(0, 0, rows, cols))
+        if window.empty or min(window.shape) < 4:
+            raise BadInput("the place is outside the level")
+        return window
+
+    def begin(self) -> None:
+        """As the bed is."""
+        self.plain = np.zeros(self.depth.shape)
+        self.local = np.zeros(self.depth.shape)
+        self.calm = np.ones(self.depth.shape)
+        self._look()
+
+    # What the clock makes of it
+
+    @property
+    def field(self) -> np.ndarray:
+        return (self.plain + self.local) * self.calm
+
+    def bend(self, plain: np.ndarray) -> None:
+        """Take another g, within the limits."""
+        self.plain = np.where(self.sea, plain, 0.0)
+        self._calm()
+        self._look()
+
+    def correct(self, points: np.ndarray, more: np.ndarray) -> None:
+        """Add to g near the points what is missing there, fading over some cells."""
+        sigma = 2.0
+        row, col = self._cells(points)
+        sums = np.zeros((2, *self.depth.shape))
+        for r, wr in ((np.floor(row), 1 - row % 1), (np.floor(row) + 1, row % 1)):
+            for c, wc in ((np.floor(col), 1 - col % 1), (np.floor(col) + 1, col % 1)):
+                at = np.clip(r, 0, sums.shape[1] - 1).astype(int), np.clip(c, 0, sums.shape[2] - 1).astype(int)
+                np.add.at(sums[0], at, wr * wc * np.clip(more, -0.2, 0.2))
+                np.add.at(sums[1], at, wr * wc)
+        value, weight = (ndimage.gaussian_filter(part, sigma, truncate=4) for part in sums)
+        most = float(weight.max())
+        if most <= 0:
+            return
+        near = np.clip(weight / most * 2.5, 0, 1)
+        away = np.hypot(self.axes[0][None] - self.at[0], self.axes[1][:, None] - self.at[1]) / self.radius_m
+        inside = np.clip((1 - away) / 0.15, 0, 1)
+        inside = inside * inside * (3 - 2 * inside)
+        self.local += np.where(self.sea, value / np.maximum(weight, 1e-9 * most) * near * near * (3 - 2 * near), 0) * (
+            inside * self._off_border()
+        )
+        self._calm()
+        self._look()
+
+    def _off_border(self) -> np.ndarray:
+        """0 on the level's border, 1 three cells inside."""
+        sides = []
+        for axis, at in enumerate(self.axes):
+            end = self.level.grid.extent_m[axis]
+            sides.append(np.clip(np.minimum(at, end - at) / (3 * self.cell_m) - 0.34, 0, 1))
+        return np.minimum(sides[0][None], sides[1][:, None])
+
+    def _look(self) -> None:
+        depth = (self.depth * np.exp(self.field)).astype(np.float32)
+        self.packed, self.least = bed_in(self.level, self.map, self.window, depth, self.every)
+
+    def solve_times(self, fine: bool = False) -> None:
+        """Times of travel over the bent bed: those known, plus what the same coarse solver says has changed."""
+        if fine not in self._times:
+            asked = asked_of(self.level, self.t) if fine else asked_of(self.level, self.t, COARSE[self.quick])
+            base = self._drawn() if fine else lead_map(asked)
+            self._times[fine] = asked, base, base
+        asked, base, _ = self._times[fine]
+        self._fine_used = fine
+        depth = asked.depth_m * np.exp(self._on_texels(asked))
+        bent = dataclasses.replace(asked, depth_m=depth.astype(np.float32))
+        self._times[fine] = asked, base, lead_map(bent) if self.field.any() else base
+
+    def _drawn(self) -> ArrivalMap:
+        if self._fine is None:
+            self._fine = lead_map(asked_of(self.level, self.t))
+        return self._fine
+
+    def _on_texels(self, asked: Asked) -> np.ndarray:
+        """g on the texels of an arrival map, 0 outside the window."""
+        rows, cols = (np.arange(side) * asked.cell_m for side in asked.depth_m.shape)
+        at_row, at_col = (rows - self.axes[1][0]) / self.cell_m, (cols - self.axes[0][0]) / self.cell_m
+        out = np.zeros(asked.depth_m.shape)
+        inner = [np.flatnonzero((at >= 0) & (at <= side - 1)) for at, side in zip((at_row, at_col), self.depth.shape)]
+        if min(map(len, inner)):
+            at = np.meshgrid(at_row[inner[0]], at_col[inner[1]], indexing="ij")
+            out[np.ix_(*inner)] = ndimage.map_coordinates(self.field, at, order=1)
+        return out
+
+    # Along the line
+
+    def _cells(self, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        return (points[:, 1] - self.axes[1][0]) / self.cell_m, (points[:, 0] - self.axes[0][0]) / self.cell_m
+
+    def _at(self, values: np.ndarray, points: np.ndarray) -> np.ndarray:
+        return ndimage.map_coordinates(values, self._cells(points), order=1, mode="nearest", output=np.float64)
+
+    def wet(self, points: np.ndarray) -> np.ndarray:
+        """Whether points lie in the sea; what is outside the window does too, as nothing is changed there."""
+        row, col = self._cells(points)
+        outside = (row < 0) | (col < 0) | (row > self.depth.shape[0] - 1) | (col > self.depth.shape[1] - 1)
+        return outside | (self._at(self.sea.astype(np.float32), points) > 0.5)
+
+    def limited(self, points: np.ndarray) -> np.ndarray:
+        """Whether the limits took something away at points."""
+        return self._at(self.calm, points) < 0.985
+
+    def possible(self, points: np.ndarray, wave: int) -> np.ndarray:
+        """Whether some depth at points makes that wave stand there now, with the depth's clock."""
+        s = (self.t / self.shore.interval_s + self._early(points) - wave) / s_cycles(self.shore)
+        return (s > 0.01) & (s < 0.995)
+
+    def _early(self, points: np.ndarray) -> np.ndarray:
+        sway = beach_map(self.level).at(*points.T)[1]
+        return shore_early(self.shore, *points.T, sway, self.values).v
+
+    def passes(self, points: np.ndarray, wave: int) -> np.ndarray:
+        """When the crest of a wave passes points over the bed as it is bent, s."""
+        early, s_body = self._early(points), self._s(points)
+        if self.share == 0:
+            return (s_body * s_cycles(self.shore) - early + wave) * self.shore.interval_s
+        bend = phase_noise(self.level.settings.sea, swell(self.level, self.t), 0, *points.T)
+        way = Travel.of(self._made_at(points), bend, self.share)
+        cycles = lead_arrival(self.shore, Dual(s_body), Dual(early) * step(0.0, 1.0, Dual(s_body)), way)
+        return (cycles.v + wave) * self.shore.interval_s
+
+    def _s(self, points: np.ndarray) -> np.ndarray:
+        """s of the front that is seen: on the clock's depth, with times of travel on that without rocks."""
+        return 1.0 - self._at(self.packed[..., 0 if self.share == 0 else 3], points) / self.shore.range_m
+
+    def _made_at(self, points: np.ndarray):
+        _, base, now = self._times[self._fine_used]
+        passing = now.at(*points.T)
+        if base is not self._drawn():
+            known, was = self._drawn().at(*points.T), base.at(*points.T)
+            for mine, one, other in zip((*passing.swells[:1], passing.shore), (known.swells[0], known.shore),
+                                        (was.swells[0], was.shore)):  # fmt: skip
+                mine.v = mine.v + one.v - other.v
+        return passing
+
+    def speed_mps(self, points: np.ndarray) -> np.ndarray:
+        """Ground speed of the crest at points."""
+        step_m, parts = self.map.cell_m, []
+        for off in ((step_m, 0.0), (0.0, step_m)):
+            parts.append((self.passes(points + off, 0) - self.passes(points - off, 0)) / (2 * step_m))
+        return 1 / np.maximum(np.hypot(*parts), 1e-3)
+
+    def by_depth_s(self, points: np.ndarray) -> np.ndarray:
+        """How the moment follows from g at the points themselves, s."""
+        depth = self.shore.range_m * (1 - self._s(points))
+        return -np.maximum(depth, 0.05) / self.shore.range_m * s_cycles(self.shore) * self.shore.interval_s
+
+    def demands(self, plate: Plate, points: np.ndarray, wave: int, left_s: np.ndarray):
+        """(rows, wanted): what the plate's coefficients do to the moments at the line, and what is missing there."""
+        here = plate.rows(*points.T)
+        if self.share == 1:
+            return self._by_travel(plate, points), left_s
+        rows = sparse.diags_array(self.by_depth_s(points)) @ here
+        if self.share > 0:
+            return ((1 - self.share) * rows + self._by_travel(plate, points)).tocsr(), left_s
+        sills, wanted = self._sills(points, wave, left_s)
+        if len(sills):
+            rows, left_s = sparse.vstack([rows, plate.rows(*sills.T) * -8.0]), np.concatenate([left_s, -8.0 * wanted])
+        return rows.tocsr(), left_s
+
+    def _by_travel(self, plate: Plate, points: np.ndarray):
+        asked, _, now = self._times[self._fine_used]
+        depth = asked.depth_m * np.exp(self._on_texels(asked))
+        rows = ray_rows(plate, now, depth, points, self.radius_m, np.asarray(self.at), asked.least_depth_m)
+        landed = step(LANDING_S, 1.0, Dual(self._s(points))).v
+        rows = sparse.diags_array(self.share * (1 - landed)) @ rows
+        return rows + sparse.diags_array(self.share * landed * self.by_depth_s(points)) @ plate.rows(*points.T)
+
+    def _sills(self, points: np.ndarray, wave: int, left_s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Places on the way to the sea that keep the clock's depth too small, and how much g is missing there."""
+        s = (self.t / self.shore.interval_s + self._early(points) - wave) / s_cycles(self.shore)
+        wanted = self.shore.range_m * (1 - s)
+        depth = self.depth * np.exp(self.field)
+        held = (left_s < -0.02) & (self._at(depth, points) > self._at(self.least, points) + 0.04)
+        deep = self.least > float(wanted.max()) + SILL_M
+        if not held.any() or not deep.any():
+            return np.zeros((0, 2)), np.zeros(0)
+        nearest = ndimage.distance_transform_edt(~deep, return_distances=False, return_indices=True)
+        found, missing = [], []
+        for row, col, asked_m in zip(*self._cells(points[held]), wanted[held]):
+            end = nearest[:, int(row), int(col)]
+            part = np.linspace(0, 1, max(int(np.hypot(end[0] - row, end[1] - col)) + 1, 2))
+            way = row + (end[0] - row) * part, col + (end[1] - col) * part
+            along = ndimage.map_coordinates(depth, way, order=1, mode="nearest")
+            least = int(np.argmin(along))
+            if 0.02 < along[least] < asked_m + SILL_M:
+                found.append((self.axes[0][0] + way[1][least] * self.cell_m,
+                              self.axes[1][0] + way[0][least] * self.cell_m))  # fmt: skip
+                missing.append(np.log((asked_m + SILL_M) / along[least]))
+        return np.array(found).reshape(-1, 2), np.array(missing)
+
+    # Limits and result
+
+    def _slope(self, depth: np.ndarray) -> np.ndarray:
+        """Slope of the bed without pebbles, rise over run."""
+        sigma = self.shore.smooth_m / self.cell_m
+        smooth = ndimage.gaussian_filter(depth, sigma, mode="nearest", truncate=3) if sigma > 0.05 else depth
+        return np.hypot(*np.gradient(smooth, self.cell_m))
+
+    def _too_steep(self, field: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        slope = self._slope((self.depth * np.exp(field)).astype(np.float32))
+        return slope, (slope > self.steepest) & (slope > 1.02 * self.was_steep + 0.005) & (field != 0)
+
+    def _calm(self) -> None:
+        """Bring slopes within the limit; where they passed it before they become no steeper."""
+        whole = self.plain + self.local
+        self.calm, sigma = np.ones(self.depth.shape), max(2.0, 3.0 / self.cell_m)
+        for _ in range(CALMER):
+            slope, over = self._too_steep(whole * self.calm)
+            if not over.any():
+                return
+            factor = np.where(over, np.clip(self.steepest / np.maximum(slope, 1e-6), 0.7, 0.95), 1.0)
+            factor = ndimage.minimum_filter(factor, size=2 * math.ceil(2 * sigma) + 1)
+            self.calm *= ndimage.gaussian_filter(factor, sigma, mode="nearest", truncate=2)
+        low, high, calm = 0.0, 1.0, self.calm
+        for _ in range(6):
+            middle = 0.5 * (low + high)
+            if self._too_steep(whole * calm * middle)[1].any():
+                high = middle
+            else:
+                low = middle
+        self.calm = calm * low
+
+    def change(self) -> tuple[Rect, np.ndarray]:
+        """(cells of the level, float32 metres of ground) of what is bent; exactly 0 outside the disc and on land."""
+        stride, grid, field = self.map.stride, self.level.grid, self.field
+        inner = np.argwhere(field != 0)
+        if not len(inner):
+            return Rect(0, 0, 0, 0), np.zeros((0, 0), np.float32)
+        fine = stride * self.every
+        (row0, col0), (row1, col1) = inner.min(axis=0) - 2, inner.max(axis=0) + 3
+        corner = self.window.row0 * stride, self.window.col0 * stride
+        rect = Rect(corner[0] + row0 * fine, corner[1] + col0 * fine, corner[0] + row1 * fine, corner[1] + col1 * fine)
+        rect = rect.intersect(Rect(1, 1, grid.rows - 1, grid.cols - 1))
+        depth = self.level.sea_level_m - self.level.height[rect.slices].astype(np.float64)
+        row, col = (np.arange(a, b) for a, b in ((rect.row0, rect.row1), (rect.col0, rect.col1)))
+        g = field[row[0] - corner[0] : row[-1] + 1 - corner[0], col[0] - corner[1] : col[-1] + 1 - corner[1]]
+        if fine > 1:
+            at = np.meshgrid((row - corner[0]) / fine, (col - corner[1]) / fine, indexing="ij")
+            g = ndimage.map_coordinates(field, at, order=3, mode="constant")
+        away = np.hypot(col[None] * grid.cell_m - self.at[0], row[:, None] * grid.cell_m - self.at[1])
+        g = np.where((away < self.radius_m) & (depth > 0), g, 0.0)
+        return rect, (-depth * np.expm1(g)).astype(np.float32)

@@ -1,0 +1,67 @@
+"""How times of arrival follow from the bed on their way: rays, and what a change of depth does along them (T07)."""
+
+from __future__ import annotations
+
+import numpy as np
+from scipy import ndimage, sparse
+
+from .arrival import Asked, _at_the_shore
+from .arrival_map import BLOCKS, SWELLS, ArrivalMap
+from .gerstner import GRAVITY
+from .shaping_plate import Plate
+from .travel_time import solve
+
+
+def lead_map(asked: Asked) -> ArrivalMap:
+    """The map of the leading swell alone; heights are left out."""
+    way = solve(asked.depth_m, asked.cell_m, asked.period_s[0], asked.heading_deg[0], least_depth_m=asked.least_depth_m)
+    rows, cols = asked.depth_m.shape
+    packed = np.zeros((BLOCKS * rows, cols, 4), np.float32)
+    packed[:rows, :, :SWELLS] = np.asarray(way.seconds)[..., None]
+    packed[:rows, :, 3] = _at_the_shore(asked, way.seconds, way.reached)
+    plane = np.tile(np.asarray(way.plane, np.float64), (SWELLS, 1))
+    return ArrivalMap(packed, asked.cell_m, asked.period_s, plane)
+
+
+def delay_by_depth(depth_m: np.ndarray, period_s: float, least_m: float) -> np.ndarray:
+    """How the time a swell takes over a metre, s/m, changes with the logarithm of the depth.
+
+    From ω² = g k tanh kh (Airy): dk/d ln h = −k · kh sech² kh / (tanh kh + kh sech² kh).
+    """
+    omega = 2 * np.pi / period_s
+    depth = np.maximum(depth_m, least_m)
+    deep = omega**2 * depth / GRAVITY
+    kh = deep / np.sqrt(np.tanh(deep))  # Eckart 1952, then Newton
+    for _ in range(3):
+        tanh = np.tanh(kh)
+        kh = kh - (kh * tanh - deep) / (tanh + kh * (1 - tanh**2))
+    tanh = np.tanh(kh)
+    bent = kh * (1 - tanh**2)
+    return np.where(depth_m > least_m, -(kh / depth / omega) * bent / (tanh + bent), 0.0)
+
+
+def ray_rows(
+    plate: Plate, made: ArrivalMap, depth_m: np.ndarray, points: np.ndarray, radius_m: float, centre, least_m: float
+) -> sparse.csr_array:
+    """How the times at `points` (n, 2) follow from the plate's coefficients, s: along rays back to the disc's rim.
+
+    `depth_m` lies on the texels of the map. Rays are those of the bed as it is.
+    """
+    seconds = made.block(0)[..., 0].astype(np.float64)
+    north, east = np.gradient(seconds, made.cell_m)
+    delay = delay_by_depth(depth_m.astype(np.float64), made.period_s[0], least_m)
+    length = min(plate.step_m, made.cell_m) if radius_m / plate.step_m < 60 else plate.step_m
+    place, total = points.astype(np.float64).copy(), None
+    live = np.ones(len(points), bool)
+    for _ in range(int(2.5 * radius_m / length)):
+        at = place[:, 1] / made.cell_m, place[:, 0] / made.cell_m
+        way = np.stack([ndimage.map_coordinates(part, at, order=1, mode="nearest") for part in (east, north)], axis=1)
+        steep = np.hypot(*way.T)
+        live &= (steep > 1e-6) & (np.hypot(*(place - centre).T) < radius_m)
+        if not live.any():
+            break
+        here = ndimage.map_coordinates(delay, at, order=1, mode="nearest") * live * length
+        row = sparse.diags_array(here) @ plate.rows(*place.T)
+        total = row if total is None else total + row
+        place -= way / np.maximum(steep, 1e-6)[:, None] * (length * live)[:, None]
+    return sparse.csr_array((len(points), len(plate.free))) if total is None else total.tocsr()
