@@ -19,7 +19,7 @@ from .errors import BadInput
 from .grid import Rect
 from .level import Level
 from .shaping_ground import ShapingGround
-from .shaping_lines import crosses_itself, phase_at, resampled
+from .shaping_lines import crosses_itself, middle, phase_at, resampled
 from .shaping_plate import Plate
 
 NODES = {True: 48, False: 112}  # of the plate, a side: while dragging, and at rest
@@ -70,7 +70,7 @@ def shape_front(
     `at` is the middle of the line by default, `wave` the one nearest to the line. BadInput says what cannot be.
     """
     line = checked_line(level, line)
-    at = tuple(line[len(line) // 2]) if at is None else at
+    at = middle(line) if at is None else at
     return Shaping(level, t, at, radius_m, wave, slope_deg).shape(line)
 
 

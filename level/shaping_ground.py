@@ -36,9 +36,13 @@ class ShapingGround:
         self.level = then = level_at(level, t)
         self.t, self.at, self.radius_m, self.quick = t, at, radius_m, quick
         self.shore, self.share = shore_at(then, t), then.settings.timing.share
-        self.map = have = shore_map(then)
+        have = shore_map(then)
+        self.map = have = dataclasses.replace(
+            have, bottleneck=have.bottleneck.copy()
+        )  # a drag changes that of the level
         if not (self.shore.on and (have.bottleneck > 0).any()):
             raise BadInput("there is no sea in this level whose waves could be shaped")
+        self._wet = (have.bottleneck > 0).astype(np.float32)
         self.window = self._window()
         self.every = max(1, math.ceil(max(self.window.shape) / QUICK_SIDE)) if quick else 1
         skip = slice(None, None, self.every)
@@ -158,10 +162,9 @@ class ShapingGround:
         return ndimage.map_coordinates(values, self._cells(points), order=1, mode="nearest", output=np.float64)
 
     def wet(self, points: np.ndarray) -> np.ndarray:
-        """Whether points lie in the sea; what is outside the window does too, as nothing is changed there."""
-        row, col = self._cells(points)
-        outside = (row < 0) | (col < 0) | (row > self.depth.shape[0] - 1) | (col > self.depth.shape[1] - 1)
-        return outside | (self._at(self.sea.astype(np.float32), points) > 0.5)
+        """Whether points, in the disc or not, lie in the sea."""
+        at = points[:, 1] / self.map.cell_m, points[:, 0] / self.map.cell_m
+        return ndimage.map_coordinates(self._wet, at, order=1, mode="nearest") > 0.5
 
     def limited(self, points: np.ndarray) -> np.ndarray:
         """Whether the limits took something away at points."""
@@ -295,7 +298,7 @@ class ShapingGround:
         if not len(inner):
             return Rect(0, 0, 0, 0), np.zeros((0, 0), np.float32)
         fine = stride * self.every
-        (row0, col0), (row1, col1) = inner.min(axis=0) - 2, inner.max(axis=0) + 3
+        row0, col0, row1, col1 = (int(v) for v in (*(inner.min(axis=0) - 2), *(inner.max(axis=0) + 3)))
         corner = self.window.row0 * stride, self.window.col0 * stride
         rect = Rect(corner[0] + row0 * fine, corner[1] + col0 * fine, corner[0] + row1 * fine, corner[1] + col1 * fine)
         rect = rect.intersect(Rect(1, 1, grid.rows - 1, grid.cols - 1))

@@ -124,6 +124,12 @@ def resampled(line: np.ndarray, spacing_m: float, most: int = 10_000) -> np.ndar
     return np.stack([np.interp(at, length, line[:, i]) for i in (0, 1)], axis=1)
 
 
+def middle(line: np.ndarray) -> tuple[float, float]:
+    """The point halfway along a line."""
+    x, y = resampled(line, 1.0, 2)[1]
+    return float(x), float(y)
+
+
 def crosses_itself(line: np.ndarray) -> bool:
     """Whether two pieces of a line that are no neighbours meet."""
     a, b = line[:-1], line[1:]

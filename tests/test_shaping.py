@@ -2,10 +2,13 @@
 
 import numpy as np
 import pytest
-from shorewright.level import Grid, Level
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from shorewright.level import BadInput, Grid, Level
 from shorewright.level.arrival import period_s, swell
 from shorewright.level.shaping import shape_front
-from shorewright.level.shaping_lines import crest_near, dragged, phase_at
+from shorewright.level.shaping_lines import contours, crest_near, crosses_itself, dragged, phase_at
+from shorewright.level.shaping_plate import Plate
 from shorewright.level.shore import shore_map
 
 T = 14.0
@@ -90,3 +93,102 @@ def check_bed(level, before, sea, at, radius_m):
     steep = [np.hypot(*np.gradient(ground.astype(float), level.grid.cell_m)) for ground in (before, level.height)]
     assert (steep[1] <= np.maximum(np.tan(np.radians(37.0)), 1.1 * steep[0] + 0.02)).all()
     assert np.array_equal(level.height[[0, -1]], before[[0, -1]])
+
+
+def test_blend():
+    """T06, T07: with both clocks mixed the crest comes as near."""
+    level = coast("beach", 2.0)
+    level.set("timing.source", "blend")
+    wave, _, _, shaped = drag(level, (180, 190), (0, -6), 50)
+    apply(level, shaped)
+    phase, _ = phase_at(level, T, *shaped.line.T)
+    assert np.quantile(np.abs(phase.v - wave), 0.95) * period_s(swell(level, T))[0] < 0.25
+
+
+def test_limits_are_told():
+    """T07: a bed that may hardly slope leaves the crest short, and says by how much; the rest is as near as it gets."""
+    level = coast("beach")
+    wave, crest = crest_near(level, T, (200, 190), 40)
+    line = dragged(crest, (200, 190), (0, 14), 40)
+    before = level.height.copy()
+    shaped = shape_front(level, T, line, 40, wave=wave, slope_deg=3.0)
+    assert shaped.forbidden
+    assert all(short.why == "slope limit" and "m short: slope limit" in short.text for short in shaped.forbidden)
+    short = np.concatenate([np.arange(f.first, f.last + 1) for f in shaped.forbidden])
+    assert shaped.left_m[short].max() == pytest.approx(max(f.left_m for f in shaped.forbidden))
+    assert shaped.left_m[short].max() < 14
+    assert np.array_equal(level.height, before)  # nothing is written by looking
+
+
+REFUSED = {
+    "onto dry land": ({"line": [(150, 255), (200, 262)], "radius_m": 40}, "dry land"),
+    "outside the level": ({"line": [(150, 200), (420, 200)], "radius_m": 40}, "leaves the level"),
+    "across itself": ({"line": [(150, 180), (190, 190), (190, 180), (150, 190)], "radius_m": 40}, "crosses itself"),
+    "no crest near": ({"line": [(150, 30), (190, 30)], "radius_m": 20}, "no crest"),
+    "no line": ({"line": [(150, 180)], "radius_m": 40}, "two points or more"),
+    "no number": ({"line": [(150, 180), (float("nan"), 180)], "radius_m": 40}, "two points or more"),
+    "a point": ({"line": [(150, 180), (150.1, 180)], "radius_m": 40}, "shorter than a cell"),
+    "radius": ({"line": [(150, 180), (190, 180)], "radius_m": 1e4}, "radius"),
+    "slope": ({"line": [(150, 180), (190, 180)], "radius_m": 40, "slope_deg": 89}, "slope limit"),
+    "wave": ({"line": [(150, 180), (190, 180)], "radius_m": 40, "wave": 900}, "no crest"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", REFUSED)
+def test_refused(case):
+    """T07: one sentence, and nothing changes."""
+    level = coast("beach")
+    before = level.height.copy()
+    options, told = dict(REFUSED[case][0]), REFUSED[case][1]
+    with pytest.raises(BadInput, match=told) as error:
+        shape_front(level, T, options.pop("line"), options.pop("radius_m"), **options)
+    assert "\n" not in str(error.value)
+    assert np.array_equal(level.height, before)
+
+
+def test_no_sea():
+    """T07: a level of dry land has no front to shape."""
+    level = Level(Grid(80, 90), np.full((80, 90), 3.0, np.float32))
+    with pytest.raises(BadInput, match="no sea"):
+        shape_front(level, T, [(20, 20), (60, 20)], 30)
+
+
+def test_plate():
+    """T07: the plate meets its demands, is 0 beyond its rim, and bends least: its rows are the spline's values."""
+    plate = Plate((100.0, 80.0), 40.0, 40, (300.0, 300.0))
+    x, y = np.array([90.0, 100.0, 112.0]), np.array([75.0, 84.0, 80.0])
+    wanted = np.array([0.3, -0.2, 0.1])
+    bent = plate.meet(plate.rows(x, y), wanted)
+    axis_x, axis_y = np.arange(50.0, 151.0), np.arange(30.0, 131.0)
+    raised = plate.raised(bent, axis_x, axis_y)
+    assert np.allclose(raised[(y - 30).astype(int), (x - 50).astype(int)], wanted, atol=2e-3)
+    assert np.allclose(plate.rows(x, y) @ bent.ravel()[plate.free], wanted, atol=2e-3)
+    away = np.hypot(axis_x[None] - 100, axis_y[:, None] - 80)
+    assert not raised[away >= 40].any()
+    assert np.abs(raised[(away > 36) & (away < 40)]).max() < 0.05 * np.abs(raised).max()
+
+
+def test_contours():
+    """T07: the line of a map at a value is one chain on the circle that it is."""
+    x = y = np.linspace(-10, 10, 61)
+    values = np.hypot(x[None], y[:, None])
+    (line,) = contours(values, x, y, 6.0)
+    assert np.allclose(np.hypot(*line.T), 6.0, atol=0.02)
+    assert len(line) > 100
+    values[:, x > 0] = np.nan
+    (half,) = contours(values, x, y, 6.0)
+    assert half[:, 0].max() < 0.4
+
+
+@settings(max_examples=25)
+@given(st.integers(0, 10_000))
+def test_crosses_itself(seed):
+    """T07: as the crossings of its pieces say one by one."""
+    line = np.random.default_rng(seed).uniform(0, 10, (6, 2))
+
+    def cross(a, b, c, d):
+        t, u = np.linalg.solve(np.array([b - a, c - d]).T, c - a)
+        return 0 < t < 1 and 0 < u < 1
+
+    wanted = any(cross(*line[i : i + 2], *line[j : j + 2]) for i in range(5) for j in range(i + 2, 5))
+    assert crosses_itself(line) == wanted
