@@ -7,8 +7,9 @@ from typing import Any
 from pydantic import ValidationError
 
 from ..level import BadInput
-from ..level.objects import OBJECT, OBJECT_KINDS, Placed
+from ..level.objects import OBJECT, OBJECT_KINDS, Pin, Placed
 from ..level.params import replace, sentence
+from ..level.pins import check_pins, pinned
 from . import script as words
 from .prop_edits import Props
 
@@ -29,6 +30,8 @@ class Objects(Props):
         if merge and self.level.objects.get(thing.id) == thing:
             return
         self._end_stroke()
+        if isinstance(thing, Pin):
+            check_pins(self.level, [*(pin for pin in pinned(self.level) if pin.id != thing.id), thing])
         settings = replace(self.level.settings, "water.table", thing.id) if use else None
         with self._edit(words.Place(object=thing, use=use), merge):
             self.journal.put_all(

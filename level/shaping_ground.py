@@ -17,6 +17,7 @@ from .gerstner import phase_noise
 from .grid import Rect
 from .level import Level
 from .noise import lattice
+from .pins import pins
 from .shaping_plate import Plate
 from .shaping_travel import lead_map, ray_rows
 from .shore import ROCKS_M, bed_in, shore_map
@@ -53,6 +54,7 @@ class ShapingGround:
         self.axes = (self.window.col0 * have.cell_m + np.arange(cols) * self.cell_m,
                      self.window.row0 * have.cell_m + np.arange(rows) * self.cell_m)  # fmt: skip
         self.steepest = math.tan(math.radians(slope_deg))
+        self.pins = pins(then, t)
         self.values = lattice(then.settings.level.seed)
         self.was_steep = self._slope(self.depth)
         self._times: dict[bool, tuple[Asked, ArrivalMap, ArrivalMap]] = {}
@@ -172,21 +174,27 @@ class ShapingGround:
 
     def possible(self, points: np.ndarray, wave: int) -> np.ndarray:
         """Whether some depth at points makes that wave stand there now, with the depth's clock."""
-        s = (self.t / self.shore.interval_s + self._early(points) - wave) / s_cycles(self.shore)
+        s = (self.t / self.shore.interval_s + self._early(points) - self._late(points) - wave) / s_cycles(self.shore)
         return (s > 0.01) & (s < 0.995)
 
     def _early(self, points: np.ndarray) -> np.ndarray:
         sway = beach_map(self.level).at(*points.T)[1]
         return shore_early(self.shore, *points.T, sway, self.values).v
 
+    def _late(self, points: np.ndarray) -> np.ndarray | float:
+        """What the pins make of it, as they stand before the bed changes."""
+        return 0.0 if self.pins is None else self.pins.at(*points.T).v
+
     def passes(self, points: np.ndarray, wave: int) -> np.ndarray:
         """When the crest of a wave passes points over the bed as it is bent, s."""
-        early, s_body = self._early(points), self._s(points)
+        early, s_body, late = self._early(points), self._s(points), self._late(points)
         if self.share == 0:
-            return (s_body * s_cycles(self.shore) - early + wave) * self.shore.interval_s
-        bend = phase_noise(self.level.settings.sea, swell(self.level, self.t), 0, *points.T)
+            return (s_body * s_cycles(self.shore) - early + late + wave) * self.shore.interval_s
+        bend = phase_noise(self.level.settings.sea, swell(self.level, self.t), 0, *points.T) + late
         way = Travel.of(self._made_at(points), bend, self.share)
-        cycles = lead_arrival(self.shore, Dual(s_body), Dual(early) * step(0.0, 1.0, Dual(s_body)), way)
+        cycles = lead_arrival(
+            self.shore, Dual(s_body), Dual(early) * step(0.0, 1.0, Dual(s_body)) - late * (1 - self.share), way
+        )
         return (cycles.v + wave) * self.shore.interval_s
 
     def _s(self, points: np.ndarray) -> np.ndarray:
@@ -238,7 +246,7 @@ class ShapingGround:
 
     def _sills(self, points: np.ndarray, wave: int, left_s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Places on the way to the sea that keep the clock's depth too small, and how much g is missing there."""
-        s = (self.t / self.shore.interval_s + self._early(points) - wave) / s_cycles(self.shore)
+        s = (self.t / self.shore.interval_s + self._early(points) - self._late(points) - wave) / s_cycles(self.shore)
         wanted = self.shore.range_m * (1 - s)
         depth = self.depth * np.exp(self.field)
         held = (left_s < -0.02) & (self._at(depth, points) > self._at(self.least, points) + 0.04)

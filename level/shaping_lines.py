@@ -13,6 +13,7 @@ from .dual import Dual, step
 from .gerstner import phase_noise
 from .level import Level
 from .noise import lattice
+from .pins import later
 from .shore import shore_map
 from .shore_waves import Travel, lead_arrival, s_cycles, shore_early
 from .weather_keys import level_at
@@ -20,21 +21,26 @@ from .weather_keys import level_at
 SIDE = 121  # samples a side in which crests are looked for
 
 
-def phase_at(level: Level, t: float, x, y) -> tuple[Dual, np.ndarray]:
-    """(cycles since wave 0 passed, a dual; whether shore waves come there) at world points at time t."""
+def phase_at(level: Level, t: float, x, y, pinned: bool = True) -> tuple[Dual, np.ndarray]:
+    """(cycles since wave 0 passed, a dual; whether shore waves come there) at world points at time t.
+
+    `pinned` off: as if the level had no pins.
+    """
     then = level_at(level, t)
     shore, x, y = shore_at(then, t), np.asarray(x, np.float64), np.asarray(y, np.float64)
     bed, sway = shore_map(then).at(x, y), beach_map(then).at(x, y)[1]
     early = shore_early(shore, x, y, sway, lattice(then.settings.level.seed))
     here = (bed["sea"].v > 0.5) & (bed["depth"].v > 0) & shore.on
+    late = later(then, t, x, y) if pinned else Dual(0.0)
+    by_depth = late * (1 - then.settings.timing.share)
     made = arrival(then, t)
     if made is None:
         s = 1.0 - bed["clock"] * (1 / shore.range_m)
-        return t / shore.interval_s + early - s * s_cycles(shore), here & (s.v > 0) & (s.v < 1)
+        return t / shore.interval_s + early - by_depth - s * s_cycles(shore), here & (s.v > 0) & (s.v < 1)
     s = 1.0 - bed["smoothed"] * (1 / shore.range_m)
-    bend = phase_noise(then.settings.sea, swell(then, t), 0, x, y)
+    bend = phase_noise(then.settings.sea, swell(then, t), 0, x, y) + late
     way = Travel.of(made.at(x, y), bend, then.settings.timing.share)
-    return t / shore.interval_s - lead_arrival(shore, s, early * step(0.0, 1.0, s), way), here & (s.v < 1)
+    return t / shore.interval_s - lead_arrival(shore, s, early * step(0.0, 1.0, s) - by_depth, way), here & (s.v < 1)
 
 
 def crest_near(level: Level, t: float, at: tuple[float, float], radius_m: float) -> tuple[int, np.ndarray] | None:

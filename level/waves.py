@@ -18,6 +18,7 @@ from .gerstner import PHASE_GAIN, Deformed, Fronts, deform, phase_noise, travel
 from .level import Level
 from .noise import lattice
 from .patches import beach_contact, patch_shore, patch_uniforms
+from .pins import later, pin_uniforms
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
 from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, shore_masks, uprush
@@ -61,6 +62,7 @@ def _offshore(
     for group in fronts:
         noises = [phase_noise(level.settings.sea, group, i, x, y) for i in range(len(group.length_m))]
         if made is not None and group is fronts[-1]:
+            noises[0] = later(level, t, x, y, noises[0])
             point = travel(point, group, t, weight, noises, made.at(point.x.v, point.y.v))
         else:
             point = deform(point, group, t, weight, noises)
@@ -98,11 +100,12 @@ def surface_at(
     bed = shore.at(after_x, after_y)
     bed["within"] = bed["within"] * patch_shore(level, after_x, after_y)
     sand, sway = beach_map(level).at(after_x, after_y)
-    way = None
+    way, share = None, level.settings.timing.share
+    late = later(level, t, after_x, after_y)
     if made is not None:
-        bend = phase_noise(level.settings.sea, fronts[-1], 0, after_x, after_y)
-        way = Travel.of(made.at(after_x, after_y), bend, level.settings.timing.share)
-    masks = shore_masks(shore_at(level, t), t, bed, after_x, after_y, sway, values, way)
+        bend = later(level, t, after_x, after_y, phase_noise(level.settings.sea, fronts[-1], 0, after_x, after_y))
+        way = Travel.of(made.at(after_x, after_y), bend, share)
+    masks = shore_masks(shore_at(level, t), t, bed, after_x, after_y, sway, values, way, late * (1 - share))
     lift = masks.lift
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
@@ -179,6 +182,7 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         **patch_uniforms(level),
         "u_beach_cell_m": beach_map(level).cell_m,
         **arrival_uniforms(arrival(level, t), settings.timing.share),
+        **pin_uniforms(level, t),
         "u_shore_sway": shore.sway,
         "u_shore_slide": float(shore.slide),
     }

@@ -24,6 +24,7 @@ void main() {
 def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict):
     """Run a vertex shader over points `in_at` (n, 2), read back its varyings (floats by name), release `textures`."""
     defines = "#define TRAVEL_TIME\n" if "u_arrival" in textures else ""
+    defines += "#define PINS\n" if "u_pins" in uniforms else ""
     text = "#version 410 core\n" + defines + resolve("points", {"points": source}).text
     program = ctx.program(vertex_shader=text, varyings=list(varyings))
     for unit, (name, texture) in enumerate(textures.items()):
