@@ -95,7 +95,7 @@ def _of(level: Level, placed: list[Pin]) -> Pins:
 
 
 def check_pins(level: Level, placed: list[Pin]) -> None:
-    """BadInput when pins are too many, too near or ask for so different moments that crests would change their order."""
+    """BadInput when pins are too many, or so near each other want such different moments that crests would swap."""
     from .shaping_lines import phase_at
 
     if len(placed) > MOST_PINS:
