@@ -22,14 +22,15 @@ from .shaping_ground import ShapingGround
 from .shaping_lines import crosses_itself, middle, phase_at, resampled
 from .shaping_plate import Plate
 
-NODES = {True: 48, False: 112}  # of the plate, a side: while dragging, and at rest
-DEMANDS = {True: 28, False: 72}  # at most so many points of the line ask something of it
-ROUNDS = {True: 2, False: 6}
+NODES = {True: 64, False: 112}  # of the plate, a side: while dragging, and at rest
+DEMANDS = {True: 44, False: 72}  # at most so many points of the line ask something of it
+ROUNDS = {True: 3, False: 6}
 TRAVEL_ROUNDS = {True: 2, False: 5}
 FURTHEST = 0.7  # of g in one round
 CAP = 2.3  # of g at all: ten times as deep, or a tenth
 ENOUGH_S = 0.25  # with times of travel a crest that comes this near in time stands where it should
 ENOUGH = 0.5  # cells
+NEAR = 0.2  # of all that may be missing: no further round
 FRAME_S = 1 / 60  # sooner or later than that is now: behind a bar a front passes all of a trough at once
 LEAST_M, MOST_M = 2.0, 400.0  # of the radius
 
@@ -123,33 +124,41 @@ class Shaping:
         return wave
 
     def _solve(self, points: np.ndarray, wave: int) -> None:
-        """Round by round: look through the clock, and bend the plate by what is missing."""
-        ground, total = self.ground, np.zeros((self.plate.nodes,) * 2)
+        """Round by round: look through the clock, and bend the plate by what is missing; the best round stays."""
+        ground, total, fine = self.ground, np.zeros((self.plate.nodes,) * 2), False
         ground.begin()
         rounds = (TRAVEL_ROUNDS if ground.share > 0 else ROUNDS)[self.quick]
-        best = None
-        for number in range(rounds):
-            if ground.share > 0:
-                ground.solve_times(fine=not self.quick and number >= rounds - 2)
-            left_s = self.t - ground.passes(points, wave)
-            free = ~ground.limited(points)
-            worst = float(np.sort(np.abs(left_s) * ground.speed_mps(points) * free)[int(0.95 * (len(points) - 1))])
-            if best is None or worst < best[0]:
-                best = worst, total.copy()
-            if worst < 0.1 * ground.cell_m:
+        best = np.inf, total
+        for number in range(rounds + 1):
+            fine = not self.quick and (fine or number >= rounds - 1)
+            missing, left_s = self._missing(points, wave, fine)
+            if missing < NEAR and not (fine or self.quick) and ground.share > 0:
+                fine = True
+                missing, left_s = self._missing(points, wave, fine)
+            if missing < best[0] or number == rounds - 1:
+                best = missing, total.copy()
+            if missing < NEAR or number == rounds:
                 break
-            rows, wanted = ground.demands(self.plate, points, wave, np.where(free, left_s, 0.0))
+            rows, wanted = ground.demands(self.plate, points, wave, left_s)
             more = self.plate.meet(rows, wanted)
-            more *= min(1.0, FURTHEST / max(float(np.abs(more).max()), 1e-9))
-            total += more
+            total = total + more * min(1.0, FURTHEST / max(float(np.abs(more).max()), 1e-9))
             self._bend(total)
-        if ground.share > 0:
-            ground.solve_times(fine=not self.quick)
-        worst = np.abs(self.t - ground.passes(points, wave)) * ground.speed_mps(points) * ~ground.limited(points)
-        if best is not None and float(np.sort(worst)[int(0.95 * (len(points) - 1))]) > best[0]:
+        if missing > best[0]:
             self._bend(best[1])
             if ground.share > 0:
-                ground.solve_times(fine=not self.quick)
+                ground.solve_times(fine)
+
+    def _missing(self, points: np.ndarray, wave: int, fine: bool) -> tuple[float, np.ndarray]:
+        """(what is missing on the worst twentieth, 1 is all that may be; seconds at each point, 0 where limits act)."""
+        ground = self.ground
+        if ground.share > 0:
+            ground.solve_times(fine)
+        left_s = np.where(ground.limited(points), 0.0, self.t - ground.passes(points, wave))
+        if ground.share > 0:
+            missing = np.abs(left_s) / ENOUGH_S
+        else:
+            missing = np.maximum(np.abs(left_s) - FRAME_S, 0) * ground.speed_mps(points) / (ENOUGH * ground.cell_m)
+        return float(np.sort(missing)[int(0.95 * (len(points) - 1))]), left_s
 
     def _bend(self, coefficients: np.ndarray) -> None:
         raised = self.plate.raised(coefficients, *self.ground.axes)
@@ -164,8 +173,8 @@ class Shaping:
 
     def _forbidden(self, points: np.ndarray, left_m: np.ndarray, left_s: np.ndarray) -> tuple[Forbidden, ...]:
         short = left_m > ENOUGH * self.ground.cell_m * (2 if self.quick else 1)
-        if self.ground.share > 0:
-            short &= np.abs(left_s) > ENOUGH_S
+        if self.ground.share > 0 or self.quick:  # a quick look is coarse where the bed is flat
+            short &= np.abs(left_s) > (ENOUGH_S if self.ground.share > 0 else 6 * FRAME_S)
         short = ndimage.binary_opening(short, np.ones(3)) if len(short) > 8 else short
         labels, count = ndimage.label(short)
         found = []

@@ -6,6 +6,7 @@ A crest is where `phase_at` is a whole number, the number of its wave; it grows 
 from __future__ import annotations
 
 import numpy as np
+from scipy import ndimage
 
 from .arrival import arrival, shore_at, swell
 from .beach_map import beach_map
@@ -110,11 +111,19 @@ def _placed(chain: list, off: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.nd
 
 
 def dragged(line: np.ndarray, at: tuple[float, float], by: tuple[float, float], radius_m: float) -> np.ndarray:
-    """The line with its part about `at` moved `by` (m), less and less along it, not at all from 0.7 radii on."""
+    """The line with its part about `at` moved `by` (m), less and less along it, not at all from 0.7 radii on.
+
+    The farther it goes, the more it is smoothed: teeth that a reef gives a crest would cross each other on the way.
+    """
+    spacing_m = max(_lengths(line)[-1] / max(len(line) - 1, 1), 1e-6)
+    line = resampled(line, spacing_m)
     length = _lengths(line)
     along = np.abs(length - length[np.hypot(*(line - at).T).argmin()])
-    held = np.clip(1 - (along / (0.7 * radius_m)) ** 2, 0, 1) ** 2
-    return (line + held[:, None] * np.asarray(by, np.float64))[_run(along <= 0.75 * radius_m)]
+    held = (np.clip(1 - (along / (0.7 * radius_m)) ** 2, 0, 1) ** 2)[:, None]
+    sigma = min(0.4 * float(np.hypot(*by)), 0.15 * radius_m) / spacing_m
+    smooth = ndimage.gaussian_filter1d(line, sigma, axis=0, mode="nearest") if sigma > 0.3 else line
+    moved = line + np.minimum(4 * held, 1) * (smooth - line) + held * np.asarray(by, np.float64)
+    return moved[_run(along <= 0.75 * radius_m)]
 
 
 def _run(wanted: np.ndarray) -> slice:
