@@ -18,6 +18,7 @@ from .grid import Rect
 from .level import Level
 from .noise import lattice
 from .pins import pins
+from .shaping_limits import SlopeLimit, sills
 from .shaping_plate import Plate
 from .shaping_travel import lead_map, ray_rows
 from .shore import ROCKS_M, bed_in, shore_map
@@ -26,8 +27,6 @@ from .weather_keys import level_at
 
 QUICK_SIDE = 160  # samples a side that the clock looks at in each frame of a drag
 COARSE = {True: 129, False: 257}  # texels a side of the level in which times of travel are looked for
-CALMER = 12  # passes in which slopes are brought down bit by bit; then all of the change is made less
-SILL_M = 0.03  # how far below the crest's depth a sill on its way is brought
 
 
 class ShapingGround:
@@ -53,10 +52,9 @@ class ShapingGround:
         rows, cols = self.depth.shape
         self.axes = (self.window.col0 * have.cell_m + np.arange(cols) * self.cell_m,
                      self.window.row0 * have.cell_m + np.arange(rows) * self.cell_m)  # fmt: skip
-        self.steepest = math.tan(math.radians(slope_deg))
+        self.limit = SlopeLimit(self.depth, self.cell_m, self.shore.smooth_m, slope_deg)
         self.pins = pins(then, t)
         self.values = lattice(then.settings.level.seed)
-        self.was_steep = self._slope(self.depth)
         self._times: dict[bool, tuple[Asked, ArrivalMap, ArrivalMap]] = {}
         self._fine: ArrivalMap | None = None
         self.begin()
@@ -88,7 +86,7 @@ class ShapingGround:
     def bend(self, plain: np.ndarray) -> None:
         """Take another g, within the limits."""
         self.plain = np.where(self.sea, plain, 0.0)
-        self._calm()
+        self.calm = self.limit.calm(self.plain + self.local)
         self._look()
 
     def correct(self, points: np.ndarray, more: np.ndarray) -> None:
@@ -112,7 +110,7 @@ class ShapingGround:
         self.local += np.where(self.sea, value / np.maximum(weight, 1e-9 * most) * near * near * (3 - 2 * near), 0) * (
             inside * self._off_border()
         )
-        self._calm()
+        self.calm = self.limit.calm(self.plain + self.local)
         self._look()
 
     def _off_border(self) -> np.ndarray:
@@ -245,59 +243,18 @@ class ShapingGround:
         return rows + sparse.diags_array(self.share * landed * self.by_depth_s(points)) @ plate.rows(*points.T)
 
     def _sills(self, points: np.ndarray, wave: int, left_s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Places on the way to the sea that keep the clock's depth too small, and how much g is missing there."""
+        """World places of sills before those points where the clock is too shallow though the bed isn't; missing g."""
         s = (self.t / self.shore.interval_s + self._early(points) - self._late(points) - wave) / s_cycles(self.shore)
-        wanted = self.shore.range_m * (1 - s)
         depth = self.depth * np.exp(self.field)
         held = (left_s < -0.02) & (self._at(depth, points) > self._at(self.least, points) + 0.04)
-        deep = self.least > float(wanted.max()) + SILL_M
-        if not held.any() or not deep.any():
-            return np.zeros((0, 2)), np.zeros(0)
-        nearest = ndimage.distance_transform_edt(~deep, return_distances=False, return_indices=True)
-        found, missing = [], []
-        for row, col, asked_m in zip(*self._cells(points[held]), wanted[held]):
-            end = nearest[:, int(row), int(col)]
-            part = np.linspace(0, 1, max(int(np.hypot(end[0] - row, end[1] - col)) + 1, 2))
-            way = row + (end[0] - row) * part, col + (end[1] - col) * part
-            along = ndimage.map_coordinates(depth, way, order=1, mode="nearest")
-            least = int(np.argmin(along))
-            if 0.02 < along[least] < asked_m + SILL_M:
-                found.append((self.axes[0][0] + way[1][least] * self.cell_m,
-                              self.axes[1][0] + way[0][least] * self.cell_m))  # fmt: skip
-                missing.append(np.log((asked_m + SILL_M) / along[least]))
-        return np.array(found).reshape(-1, 2), np.array(missing)
+        row, col = self._cells(points[held])
+        row, col, missing = sills(depth, self.least, row, col, self.shore.range_m * (1 - s[held]))
+        places = np.stack([self.axes[0][0] + col * self.cell_m, self.axes[1][0] + row * self.cell_m], axis=1)
+        return places, missing
+
+    # The result
 
     # Limits and result
-
-    def _slope(self, depth: np.ndarray) -> np.ndarray:
-        """Slope of the bed without pebbles, rise over run."""
-        sigma = self.shore.smooth_m / self.cell_m
-        smooth = ndimage.gaussian_filter(depth, sigma, mode="nearest", truncate=3) if sigma > 0.05 else depth
-        return np.hypot(*np.gradient(smooth, self.cell_m))
-
-    def _too_steep(self, field: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        slope = self._slope((self.depth * np.exp(field)).astype(np.float32))
-        return slope, (slope > self.steepest) & (slope > 1.02 * self.was_steep + 0.005) & (field != 0)
-
-    def _calm(self) -> None:
-        """Bring slopes within the limit; where they passed it before they become no steeper."""
-        whole = self.plain + self.local
-        self.calm, sigma = np.ones(self.depth.shape), max(2.0, 3.0 / self.cell_m)
-        for _ in range(CALMER):
-            slope, over = self._too_steep(whole * self.calm)
-            if not over.any():
-                return
-            factor = np.where(over, np.clip(self.steepest / np.maximum(slope, 1e-6), 0.7, 0.95), 1.0)
-            factor = ndimage.minimum_filter(factor, size=2 * math.ceil(2 * sigma) + 1)
-            self.calm *= ndimage.gaussian_filter(factor, sigma, mode="nearest", truncate=2)
-        low, high, calm = 0.0, 1.0, self.calm
-        for _ in range(6):
-            middle = 0.5 * (low + high)
-            if self._too_steep(whole * calm * middle)[1].any():
-                high = middle
-            else:
-                low = middle
-        self.calm = calm * low
 
     def change(self) -> tuple[Rect, np.ndarray]:
         """(cells of the level, float32 metres of ground) of what is bent; exactly 0 outside the disc and on land."""
