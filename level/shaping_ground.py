@@ -8,8 +8,7 @@ import math
 import numpy as np
 from scipy import ndimage, sparse
 
-from .arrival import Asked, asked_of, shore_at, swell
-from .arrival_map import ArrivalMap
+from .arrival import Asked, shore_at, swell
 from .beach_map import beach_map
 from .dual import Dual, step
 from .errors import BadInput
@@ -20,7 +19,7 @@ from .noise import lattice
 from .pins import pins
 from .shaping_limits import SlopeLimit, sills
 from .shaping_plate import Plate
-from .shaping_travel import lead_map, ray_rows
+from .shaping_travel import Times
 from .shore import ROCKS_M, bed_in, shore_map
 from .shore_waves import LANDING_S, Travel, lead_arrival, s_cycles, shore_early
 from .weather_keys import level_at
@@ -55,8 +54,7 @@ class ShapingGround:
         self.limit = SlopeLimit(self.depth, self.cell_m, self.shore.smooth_m, slope_deg)
         self.pins = pins(then, t)
         self.values = lattice(then.settings.level.seed)
-        self._times: dict[bool, tuple[Asked, ArrivalMap, ArrivalMap]] = {}
-        self._fine: ArrivalMap | None = None
+        self.times = Times(then, t, COARSE[quick])
         self.begin()
 
     def _window(self) -> Rect:
@@ -126,21 +124,8 @@ class ShapingGround:
         self.packed, self.least = bed_in(self.level, self.map, self.window, depth, self.every)
 
     def solve_times(self, fine: bool = False) -> None:
-        """Times of travel over the bent bed: those known, plus what the same coarse solver says has changed."""
-        if fine not in self._times:
-            asked = asked_of(self.level, self.t) if fine else asked_of(self.level, self.t, COARSE[self.quick])
-            base = self._drawn() if fine else lead_map(asked)
-            self._times[fine] = asked, base, base
-        asked, base, _ = self._times[fine]
-        self._fine_used = fine
-        depth = asked.depth_m * np.exp(self._on_texels(asked))
-        bent = dataclasses.replace(asked, depth_m=depth.astype(np.float32))
-        self._times[fine] = asked, base, lead_map(bent) if self.field.any() else base
-
-    def _drawn(self) -> ArrivalMap:
-        if self._fine is None:
-            self._fine = lead_map(asked_of(self.level, self.t))
-        return self._fine
+        """Times of travel over the bed as it is bent, coarsely or as they are drawn."""
+        self.times.solve(self._on_texels, fine)
 
     def _on_texels(self, asked: Asked) -> np.ndarray:
         """g on the texels of an arrival map, 0 outside the window."""
@@ -189,7 +174,7 @@ class ShapingGround:
         if self.share == 0:
             return (s_body * s_cycles(self.shore) - early + late + wave) * self.shore.interval_s
         bend = phase_noise(self.level.settings.sea, swell(self.level, self.t), 0, *points.T) + late
-        way = Travel.of(self._made_at(points), bend, self.share)
+        way = Travel.of(self.times.at(points), bend, self.share)
         cycles = lead_arrival(
             self.shore, Dual(s_body), Dual(early) * step(0.0, 1.0, Dual(s_body)) - late * (1 - self.share), way
         )
@@ -198,16 +183,6 @@ class ShapingGround:
     def _s(self, points: np.ndarray) -> np.ndarray:
         """s of the front that is seen: on the clock's depth, with times of travel on that without rocks."""
         return 1.0 - self._at(self.packed[..., 0 if self.share == 0 else 3], points) / self.shore.range_m
-
-    def _made_at(self, points: np.ndarray):
-        _, base, now = self._times[self._fine_used]
-        passing = now.at(*points.T)
-        if base is not self._drawn():
-            known, was = self._drawn().at(*points.T), base.at(*points.T)
-            for mine, one, other in zip((*passing.swells[:1], passing.shore), (known.swells[0], known.shore),
-                                        (was.swells[0], was.shore)):  # fmt: skip
-                mine.v = mine.v + one.v - other.v
-        return passing
 
     def speed_mps(self, points: np.ndarray) -> np.ndarray:
         """Ground speed of the crest at points."""
@@ -235,9 +210,7 @@ class ShapingGround:
         return rows.tocsr(), left_s
 
     def _by_travel(self, plate: Plate, points: np.ndarray):
-        asked, _, now = self._times[self._fine_used]
-        depth = asked.depth_m * np.exp(self._on_texels(asked))
-        rows = ray_rows(plate, now, depth, points, self.radius_m, np.asarray(self.at), asked.least_depth_m)
+        rows = self.times.rows(plate, points, self.radius_m, np.asarray(self.at))
         landed = step(LANDING_S, 1.0, Dual(self._s(points))).v
         rows = sparse.diags_array(self.share * (1 - landed)) @ rows
         return rows + sparse.diags_array(self.share * landed * self.by_depth_s(points)) @ plate.rows(*points.T)

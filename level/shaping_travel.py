@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import dataclasses
+from collections.abc import Callable
+
 import numpy as np
 from scipy import ndimage, sparse
 
-from .arrival import Asked, _at_the_shore
-from .arrival_map import BLOCKS, SWELLS, ArrivalMap
+from .arrival import Asked, _at_the_shore, asked_of
+from .arrival_map import BLOCKS, SWELLS, ArrivalMap, Passing
 from .gerstner import GRAVITY
+from .level import Level
 from .shaping_plate import Plate
 from .travel_time import solve
 
@@ -65,3 +69,44 @@ def ray_rows(
         total = row if total is None else total + row
         place -= way / np.maximum(steep, 1e-6)[:, None] * (length * live)[:, None]
     return sparse.csr_array((len(points), len(plate.free))) if total is None else total.tocsr()
+
+
+class Times:
+    """Times of the leading swell over a bed that is bent, in a coarse map or in the one that is drawn with."""
+
+    def __init__(self, level: Level, t: float, coarse_side: int) -> None:
+        self._ask = {False: lambda: asked_of(level, t, coarse_side), True: lambda: asked_of(level, t)}
+        self._known: dict[bool, tuple[Asked, ArrivalMap]] = {}
+        self._fine = False
+        self.now: ArrivalMap | None = None
+        self.depth_m = np.zeros((0, 0))
+
+    def _plain(self, fine: bool) -> tuple[Asked, ArrivalMap]:
+        """What was asked and answered before anything is bent."""
+        if fine not in self._known:
+            asked = self._ask[fine]()
+            self._known[fine] = asked, lead_map(asked)
+        return self._known[fine]
+
+    def solve(self, field: Callable[[Asked], np.ndarray], fine: bool) -> None:
+        """Times over depth · e^field; `field` gives it on the texels of what is asked."""
+        asked, plain = self._plain(fine)
+        bend, self._fine = field(asked), fine
+        self.depth_m = asked.depth_m * np.exp(bend)
+        bent = dataclasses.replace(asked, depth_m=self.depth_m.astype(np.float32))
+        self.now = lead_map(bent) if bend.any() else plain
+
+    def at(self, points: np.ndarray) -> Passing:
+        """What passes points (n, 2): known times, plus what the same coarse solver says has changed."""
+        passing = self.now.at(*points.T)
+        if not self._fine:
+            known, was = self._plain(True)[1].at(*points.T), self._plain(False)[1].at(*points.T)
+            for mine, fine, coarse in ((passing.swells[0], known.swells[0], was.swells[0]),
+                                       (passing.shore, known.shore, was.shore)):  # fmt: skip
+                mine.v = mine.v + fine.v - coarse.v
+        return passing
+
+    def rows(self, plate: Plate, points: np.ndarray, radius_m: float, centre: np.ndarray) -> sparse.csr_array:
+        """`ray_rows` over the bed as it is bent."""
+        least_m = self._plain(self._fine)[0].least_depth_m
+        return ray_rows(plate, self.now, self.depth_m, points, radius_m, centre, least_m)
