@@ -46,7 +46,7 @@ def _select(editor: Editor) -> None:
     row, session = TOOLS[SELECT], editor.session
     corner = imgui.get_cursor_screen_pos()
     width = min(imgui.get_content_region_avail().x, TILE_PX)
-    chosen = session.tool != BRUSH
+    chosen = session.tool not in (BRUSH, FRONT)
     if chosen:
         imgui.push_style_color(imgui.Col_.button, theme.colour(theme.ACCENT_DEEP))
     if imgui.button("###select_tool", imgui.ImVec2(width, TILE_PX)):
