@@ -14,11 +14,12 @@ from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
 from ..level.wave_lists import uncounted
 from . import recovery_record
 from . import script as words
+from .front_edits import FrontEdits
 from .imported import imported_height
-from .shot_edits import Shots, unpacked
+from .shot_edits import unpacked
 
 
-class Edits(Shots):
+class Edits(FrontEdits):
     """Everything but strokes that changes a level, each an undoable step."""
 
     clock: Clock
@@ -204,6 +205,8 @@ class Edits(Shots):
                 options = {"invert": action.invert, "smooth": action.smooth}
                 params = self.with_params(action.brush, action.params, fresh=True)
                 self.draw(action.brush, params, action.points, **options)
+            case words.ShapeFront():
+                self.shape_front(**action.model_dump(exclude={"do"}))
             case words.Set():
                 self.set(action.name, action.value, always=True)  # a drag that ended where it began was a step
             case words.SetAll():

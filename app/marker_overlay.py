@@ -10,7 +10,7 @@ from . import theme, wave_gizmo
 from .brush_ring import hidden_by_land
 from .camera_control import to_screen
 from .object_markers import Marker, at_pixel, heading, outlines, shown
-from .tools import BRUSH, SELECT, TOOLS
+from .tools import BRUSH, FRONT, SELECT, TOOLS
 from .viewport_overlay import Overlay
 
 DISC_PX = 11.0
@@ -42,7 +42,7 @@ class MarkerOverlay:
             hidden = hidden_by_land(session.level, session.camera, places)
             for (marker, pixel), behind in zip(found, hidden, strict=True):
                 self._marker(marker, pixel + self.overlay.origin, bool(behind), marker.id == pointed)
-        if where and session.tool not in (BRUSH, SELECT):
+        if where and session.tool not in (BRUSH, SELECT, FRONT):
             row = TOOLS[session.tool]
             self.overlay.beside_pointer([f"{theme.icon(row.glyph)}  {row.title}"])
 

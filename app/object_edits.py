@@ -7,8 +7,9 @@ from typing import Any
 from pydantic import ValidationError
 
 from ..level import BadInput
-from ..level.objects import OBJECT, OBJECT_KINDS, Placed, WaveObject
+from ..level.objects import OBJECT, OBJECT_KINDS, Pin, Placed, WaveObject
 from ..level.params import replace, sentence
+from ..level.pins import check_pins, pinned
 from ..level.wave_fit import fit_to_shore
 from ..level.wave_lists import refuse_crowd
 from . import script as words
@@ -32,6 +33,8 @@ class Objects(Props):
             return
         refuse_crowd(self.level, thing)
         self._end_stroke()
+        if isinstance(thing, Pin):
+            check_pins(self.level, [*(pin for pin in pinned(self.level) if pin.id != thing.id), thing])
         settings = replace(self.level.settings, "water.table", thing.id) if use else None
         with self._edit(words.Place(object=thing, use=use), merge):
             self.journal.put_all(

@@ -39,6 +39,7 @@ PLACEABLES: dict[str, Placeable] = {
         Placeable("prop", "prop", "prop", "Prop", "cube", "A mesh of the level; over water it floats (D12)."),
         Placeable("mover", "mover", "mover", "Mover", "person_swimming", "Wades in a circle, stirs the water (D18)."),
         Placeable("burst", "disturbance", "burst", "Burst", "burst", "The water bursts here at this moment (D18)."),
+        Placeable("pin", "pin", "pin", "Pin", "thumbtack", "A crest is here at this moment (T07)."),
         Placeable("hit", "hit", "hit", "Hit", "bullseye", "Something struck the water at this moment (H19)."),
         Placeable("lamp", "light", "lamp", "Lamp", "lightbulb", "A point light (D01).", 3.0),
         Placeable("flow_point", "flow_point", "flow", "Flow point", "arrows_to_dot", "The current runs to here (D06)."),

@@ -42,6 +42,18 @@ class Stroke(Do):
     smooth: bool = False
 
 
+class ShapeFront(Do):
+    """A crest brought to a line at a moment (T07): `wave`, or the one nearest to it, about `at`, or its middle."""
+
+    do: Literal["shape_front"] = "shape_front"
+    t: float = Field(ge=0)
+    line: list[tuple[Metres, Metres]] = Field(min_length=2)
+    radius_m: float = Field(gt=0)
+    at: tuple[Metres, Metres] | None = None
+    wave: int | None = None
+    slope_deg: float = 35.0
+
+
 class Set(Do):
     do: Literal["set"] = "set"
     name: str
@@ -158,6 +170,7 @@ class WeatherImport(Do):
 
 Action = Annotated[
     Stroke
+    | ShapeFront
     | Set
     | SetAll
     | Time

@@ -1,4 +1,4 @@
-"""TOOLS: what the left button does in the viewport, one row each: brush, select and move, drop an object."""
+"""TOOLS: what the left button does in the viewport, one row each: brush, fronts, select and move, drop an object."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from ..level import BadInput
 from .placing import PLACEABLES
 from .session import Session
 
-BRUSH, SELECT = "brush", "select"
+BRUSH, SELECT, FRONT = "brush", "select", "front"
 
 
 @dataclass(frozen=True)
@@ -26,6 +26,8 @@ TOOLS: dict[str, Tool] = {
         Tool(BRUSH, "Brush", "paintbrush", "Strokes of the brush in hand.", ("B",)),
         Tool(SELECT, "Select", "arrow_pointer",
              "Click selects an object, drag moves it; Ctrl+drag turns, Shift+drag raises it.", ("V",)),
+        Tool(FRONT, "Shape front", "wave_square",
+             "Drag a crest where it shall stand at this moment; the bed follows. Shift draws that part anew.", ("C",)),
         *(
             Tool(row.name, row.title, row.glyph, f"Click drops one, drag goes on to move it. {row.doc}")
             for row in PLACEABLES.values() if row.clicks
@@ -41,7 +43,7 @@ def pick_tool(session: Session, name: str) -> None:
     if name == "prop" and not session.level.meshes:
         session.ask("prop")
     session.tool = name
-    if name not in (SELECT, BRUSH):
+    if name not in (SELECT, BRUSH, FRONT):
         session.selected = ""
 
 

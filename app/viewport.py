@@ -12,12 +12,13 @@ from .marker_overlay import MarkerOverlay
 from .panels import views_panel
 from .param_widgets import tooltip
 from .picture import Picture
-from .tools import BRUSH, SELECT, TOOLS
+from .shape_overlay import ShapeOverlay
+from .tools import BRUSH, FRONT, SELECT, TOOLS
 from .viewport_overlay import Overlay, stroke_text
 from .viewport_pointer import Pointer
 
 _FLAGS = imgui.ButtonFlags_
-FIRST_OF_GROUP = {next(name for name in TOOLS if name not in (BRUSH, SELECT)): "Drop"}
+FIRST_OF_GROUP = {next(name for name in TOOLS if name not in (BRUSH, SELECT, FRONT)): "Drop"}
 BUTTONS = _FLAGS.mouse_button_left | _FLAGS.mouse_button_right | _FLAGS.mouse_button_middle
 
 
@@ -69,6 +70,8 @@ class Viewport:
                 overlay.beside_pointer(stroke_text(self.editor.probe()))
         self.editor.fronts.updating = self.picture.updating
         front_overlay.draw(overlay, self._brushing(hovered))
+        if session.tool == FRONT:
+            ShapeOverlay(overlay, self.pointer.front).draw()
         MarkerOverlay(overlay).draw(self._where(origin) if hovered else None)
         if self.picture.drawn is None and not self.picture.failure:
             overlay.corner_text("Preparing the picture…")

@@ -1,6 +1,6 @@
 """The pointer in the viewport: strokes with the left button, camera with the others.
 
-Left: brush (Ctrl inverts, Shift smooths), or what the object tool in hand does (object_grip.py). L+left: the sun.
+Left: brush (Ctrl inverts, Shift smooths), or the tool in hand (object_grip.py, front_tool.py). L+left: the sun.
 With the weather brush the left button works on the sky; P+left takes the weather there as the brush's target.
 Alt+left or middle: orbit. Shift+middle or Alt+middle: pan. Alt+right: dolly. Right held: look round and fly with
 W A S D Q E, Shift faster; the wheel then sets the speed, else it zooms to the pointer.
@@ -17,8 +17,9 @@ from ..renderer.camera import camera_matrices
 from . import camera_control as control
 from . import sky_brush
 from .editor import Editor
+from .front_tool import FrontTool
 from .object_grip import Grip
-from .tools import BRUSH
+from .tools import BRUSH, FRONT
 
 LEFT, RIGHT, MIDDLE = 0, 1, 2
 FLY = {name: getattr(imgui.Key, name) for name in control.FLY_KEYS}
@@ -28,7 +29,7 @@ FASTER = 4.0
 class Pointer:
     """What the pressed buttons mean until released.
 
-    `mode` is "", stroke, take, object, sun, orbit, pan, dolly, fly, dead.
+    `mode` is "", stroke, take, object, front, sun, orbit, pan, dolly, fly, dead.
     """
 
     def __init__(self, editor: Editor) -> None:
@@ -36,6 +37,7 @@ class Pointer:
         self.mode = ""
         self.button = LEFT
         self.grip = Grip(editor)
+        self.front = FrontTool(editor)
         self._pivot: np.ndarray | None = None
         self._picked: tuple = (None, None)
         self._picked_sky: tuple = (None, None)
@@ -52,6 +54,7 @@ class Pointer:
             self.editor.session.sky_cursor = self._pick_sky(where, size)
         elif not self.mode:
             self.editor.session.cursor = self.editor.session.sky_cursor = None
+        self.front.hover(self.grip.surface(where, size) if hovered and valid and not self.mode else None)
         if not self.mode and hovered and valid:
             self._press(io, where, size)
             if io.mouse_wheel and not self.mode:
@@ -69,7 +72,7 @@ class Pointer:
         self.button = pressed[0]
         alt = io.key_alt
         if self.button == LEFT:
-            work = "stroke" if self.editor.session.tool == BRUSH else "object"
+            work = {BRUSH: "stroke", FRONT: "front"}.get(self.editor.session.tool, "object")
             work = "take" if imgui.is_key_down(imgui.Key.p) and sky_brush.in_hand(self.editor.session) else work
             self.mode = "sun" if imgui.is_key_down(imgui.Key.l) else "orbit" if alt else work
         elif self.button == MIDDLE:
@@ -81,6 +84,8 @@ class Pointer:
             self._begin_stroke(io)
         elif self.mode == "take":
             self._take()
+        elif self.mode == "front":
+            self.mode = "front" if self.front.press(self.grip.surface(where, size), io.key_shift) else "dead"
         elif self.mode == "object":
             self.mode = "object" if self.grip.press(where, size, io.key_ctrl, io.key_shift) else "dead"
         else:
@@ -89,6 +94,8 @@ class Pointer:
     def _release(self) -> None:
         if self.mode == "stroke":
             self.editor.attempt(self.editor.session.stroke_end)
+        elif self.mode == "front":
+            self.front.release()
         elif self.mode == "object":
             self.grip.release()
         elif self.mode == "sun":
@@ -137,6 +144,10 @@ class Pointer:
     def _drag(self, io, where, size) -> None:
         if self.mode == "stroke":
             self._move_stroke()
+            return
+        if self.mode == "front":
+            if not self.front.drag(self.grip.surface(where, size)):
+                self.mode = "dead"
             return
         if self.mode == "object":
             if not self.grip.drag(where, size):

@@ -89,10 +89,13 @@ def offshore_height_m(break_height_m: float, period_s: float, depth_m: float, br
     return math.sqrt(break_height_m**2.5 * math.sqrt(GRAVITY / breaker) / max(group_mps, 1e-6))
 
 
-def asked_of(level: Level, time_s: float) -> Asked:
-    """What the level's map at a time follows from: coarse and of times alone under the brush, else with heights."""
+def asked_of(level: Level, time_s: float, most_side: int | None = None) -> Asked:
+    """What the level's map at a time follows from: coarse and of times alone under the brush, else with heights.
+
+    `most_side` texels a side, if that is not to follow from the brush.
+    """
     bed, fronts, settings = shore_map(level), swell(level, time_s), level.settings
-    side = LIVE_SIDE if level.live else MOST_SIDE
+    side = most_side or (LIVE_SIDE if level.live else MOST_SIDE)
     step = stride(bed.packed.shape[:2], side)
     depth = bed.packed[::step, ::step, 1]
     periods, timing = period_s(fronts), settings.timing

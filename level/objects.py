@@ -188,6 +188,13 @@ class Hit(Placed):
     size: float = param(1.0, 0.01, 20, "×", "How hard.", soft=(0.1, 4))
 
 
+class Pin(Placed):
+    """A crest is here at this moment (T07): one pin shifts all waves in time, several bend them."""
+
+    kind: Literal["pin"] = "pin"
+    time_s: float = param(0.0, 0, 1e7, "s", "When a crest is here.")
+
+
 class Mover(Placed):
     """Something that wades in a circle and stirs the water (D18)."""
 
@@ -235,7 +242,7 @@ class Probe(Placed):
 
 _KINDS = (
     Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaveObject, SwellRegion, WaterTable, PointLight,
-    Prop, Hit, Mover, WeatherKey, Shot, Marker, Probe,
+    Prop, Hit, Mover, WeatherKey, Shot, Marker, Probe, Pin,
 )  # fmt: skip
 OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]

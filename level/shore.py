@@ -225,16 +225,24 @@ def _update_window(level: Level, have: ShoreMap, window: Rect, fresh: Rect) -> N
     stride = have.stride
     ground = level.height[window.row0 * stride : window.row1 * stride : stride,
                           window.col0 * stride : window.col1 * stride : stride]  # fmt: skip
-    depth = level.mean_sea_m - ground.astype(np.float32)
-    rim = np.ones(depth.shape, bool)
-    rim[1:-1, 1:-1] = False
-    known = have.bottleneck[window.slices]
-    edge_of_level = np.zeros(have.packed.shape[:2], bool)
-    edge_of_level[[0, -1]], edge_of_level[:, [0, -1]] = True, True
-    outer = edge_of_level[window.slices] & (depth > 0)
-    marker = np.where(rim, np.where(outer, depth, known), -np.inf).astype(np.float32)
-    least = bottleneck(marker, depth)
-    packed = _pack(level, depth, least, have.cell_m)
-    inner = Rect(fresh.row0 - window.row0, fresh.col0 - window.col0, fresh.row1 - window.row0, fresh.col1 - window.col0)
+    packed, least = bed_in(level, have, window, level.mean_sea_m - ground.astype(np.float32))
+    inner = fresh.shifted(window)
     have.packed[fresh.slices] = packed[inner.slices]
     have.bottleneck[fresh.slices] = least[inner.slices]
+
+
+def bed_in(level: Level, have: ShoreMap, window: Rect, depth: np.ndarray, every: int = 1):
+    """(packed, bottleneck) of a window of the map if its depth were this, against what stands round it.
+
+    `depth` holds every `every`th sample of the window.
+    """
+    rim = np.ones(depth.shape, bool)
+    rim[1:-1, 1:-1] = False
+    skip = slice(None, None, every)
+    known = have.bottleneck[window.slices][skip, skip]
+    edge_of_level = np.zeros(have.packed.shape[:2], bool)
+    edge_of_level[[0, -1]], edge_of_level[:, [0, -1]] = True, True
+    outer = edge_of_level[window.slices][skip, skip] & (depth > 0)
+    marker = np.where(rim, np.where(outer, depth, known), -np.inf).astype(np.float32)
+    least = bottleneck(marker, depth)
+    return _pack(level, depth, least, have.cell_m * every), least

@@ -102,7 +102,7 @@ def before_waves(shore: Shore, bed: dict[str, Dual]) -> np.ndarray:
 
 def shore_masks(
     shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray, loop_s: float = 0.0,
-    travel: Travel | None = None,
+    travel: Travel | None = None, later: Dual | None = None,
 ) -> ShoreMasks:  # fmt: skip
     """Masks and lift at world points over the bed there (`ShoreMap.at`), with the `sway` there (`BeachMap.at`).
 
@@ -118,6 +118,8 @@ def shore_masks(
     early = shore_early(shore, x, y, sway, values)
     if travel is not None:
         early = early * step(0.0, 1.0, s_body)
+    if later is not None:  # pins (T07)
+        early = early - later
     nearest = np.full(np.shape(s), 9.0)
     a, b, *masks = np.zeros((5, *np.shape(s)))
     lift = Dual(*np.zeros((3, *np.shape(s))))

@@ -19,6 +19,7 @@ from .level import Level
 from .loop import moment
 from .noise import lattice
 from .patches import beach_contact, patch_shore, patch_uniforms
+from .pins import later, pin_uniforms, pinned
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
 from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, shore_masks, uprush
@@ -77,7 +78,8 @@ def _group_shift(
     sea = level.settings.sea
 
     def noises(fronts: Fronts, begin) -> list[Dual]:
-        return [phase_noise(sea, fronts, i, x, y) + cycles for i, cycles in enumerate(begin)]
+        first, *others = (phase_noise(sea, fronts, i, x, y) + cycles for i, cycles in enumerate(begin))
+        return [first if made is None else later(level, t, x, y, first), *others]
 
     def of(fronts: Fronts, begin) -> tuple[Dual, Dual, Dual]:
         return shift(point, fronts, t, noises(fronts, begin))
@@ -128,11 +130,12 @@ def surface_at(
     bed = shore.at(after_x, after_y, level.tide_m)
     bed["within"] = bed["within"] * patch_shore(level, after_x, after_y)
     sand, sway = beach_map(level).at(after_x, after_y)
-    way = None
+    way, share = None, level.settings.timing.share
+    late = later(level, t, after_x, after_y)
     if made is not None:
-        bend = phase_noise(level.settings.sea, fronts[-1], 0, after_x, after_y)
-        way = Travel.of(made.at(after_x, after_y), bend, level.settings.timing.share)
-    masks = shore_masks(shore_at(level, t), t, bed, after_x, after_y, sway, values, loop_s, way)
+        bend = later(level, t, after_x, after_y, phase_noise(level.settings.sea, fronts[-1], 0, after_x, after_y))
+        way = Travel.of(made.at(after_x, after_y), bend, share)
+    masks = shore_masks(shore_at(level, t), t, bed, after_x, after_y, sway, values, loop_s, way, late * (1 - share))
     lift = masks.lift
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
@@ -214,6 +217,7 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         **patch_uniforms(level),
         "u_beach_cell_m": beach_map(level).cell_m,
         **arrival_uniforms(arrival(level, t), settings.timing.share),
+        **pin_uniforms(level, t),
         "u_shore_sway": shore.sway,
         "u_shore_slide": float(shore.slide),
         **object_uniforms(level, t),
@@ -223,5 +227,6 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
 
 def wave_defines(level: Level) -> dict[str, str]:
     """What the level's GLSL is compiled with for its objects; without any it is what it was."""
-    asked = {"WAVE_OBJECTS": bool(counted(level)[0]), "WAVE_REGIONS": bool(wave_regions(level))}
+    asked = {"WAVE_OBJECTS": bool(counted(level)[0]), "WAVE_REGIONS": bool(wave_regions(level)),
+             "PINS": bool(pinned(level))}  # fmt: skip
     return {name: "" for name, on in asked.items() if on}

@@ -128,6 +128,7 @@ class Frame:
     sky: SkyTextures  # the light of its moment
     index: int = 0  # which of the samples
     travels: bool = False  # waves come by the time that they travel (T06)
+    pinned: bool = False  # and pins shift them (T07)
     live: bool = False  # one of many pictures: what is dear may be made a part at a time
     uniforms: dict = field(default_factory=dict)
     defines: dict = field(default_factory=dict)  # of programs that read the sun's visibility
@@ -155,6 +156,8 @@ class Frame:
             defines["PATCHED"] = ""
         if name in WITH_WAVES and self.travels:
             defines["TRAVEL_TIME"] = ""
+        if name in WITH_WAVES and self.pinned:
+            defines["PINS"] = ""
         if name in IN_THE_SUN:
             defines |= self.defines
         defines |= {off: "" for path, off in OFF.get(name, {}).items() if not get(self.level.settings, path)}
@@ -236,6 +239,7 @@ class Renderer:
     ) -> Frame:  # fmt: skip
         """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
         from ..level.arrival import arrival
+        from ..level.pins import pinned
         from .uniforms import frame_uniforms
 
         show, row = show or Show(), tier(quality)
@@ -258,6 +262,7 @@ class Renderer:
             targets, textures, level, self.sky, index=index,
         )  # fmt: skip
         frame.travels = made is not None
+        frame.pinned = bool(pinned(shown))
         frame.uniforms = frame_uniforms(frame)
         return frame
 

@@ -104,6 +104,20 @@ class AnySession(RuleBasedStateMachine):
         self.session.drag(brush, *points, invert=invert, smooth=smooth, **hand)
         self.did()
 
+    @rule(y=st.floats(1, 60), way=st.floats(-8, 8), radius=st.floats(3, 40), by_hand=st.booleans())
+    def shape(self, y, way, radius, by_hand):
+        """T07: a crest dragged, or said by a line; often refused."""
+        self.release()
+        self.session.set_front("radius_m", radius)
+        with contextlib.suppress(BadInput):
+            if by_hand:
+                self.session.front_begin(40.0, y)
+                self.session.stroke_move(40.0, y + way)
+                self.session.stroke_end()
+            else:
+                self.session.shape_front([(30.0, y), (50.0, y + 0.3 * way)])
+        self.did()
+
     @rule(brush=st.sampled_from(list(BRUSHES)), points=places, invert=st.booleans())
     def press(self, brush, points, invert):
         self.release()

@@ -133,11 +133,12 @@ class Plane:
         self.slow = self.way / speed_mps
 
     def answer(self, asked):
-        rows, cols = asked.depth_m.shape
-        x, y = np.meshgrid(np.arange(cols) * asked.cell_m, np.arange(rows) * asked.cell_m)
+        rows, cols = asked.request.depth_m.shape
+        cell_m, periods = asked.request.cell_m, tuple(one.period_s for one in asked.request.swells)
+        x, y = np.meshgrid(np.arange(cols) * cell_m, np.arange(rows) * cell_m)
         packed = np.ones((2 * rows, cols, 4), np.float32)
         packed[:rows] = (self.slow[0] * x + self.slow[1] * y)[..., None]
-        return ArrivalMap(packed, asked.cell_m, asked.period_s, np.tile(self.slow, (3, 1)))
+        return ArrivalMap(packed, cell_m, periods, np.tile(self.slow, (3, 1)))
 
 
 def test_crests_of_a_swell_lie_a_wavelength_apart_in_deep_water():
@@ -145,7 +146,7 @@ def test_crests_of_a_swell_lie_a_wavelength_apart_in_deep_water():
     level = make_beach(rows=129, cols=129, slope=0.0)
     for path, value in {"level.sea_level_m": 12.0, "timing.source": "travel_time", "sea.phase_noise": 0.0}.items():
         level.set(path, value)
-    solver = level.derived["solver"] = Plane(30.0, 8.0)
+    solver = level.solver = Plane(30.0, 8.0)
     apart = {}
     for line in crest_lines(level, 5.0):
         inner = line.points[((line.points > 3) & (line.points < 125)).all(1)]

@@ -8,7 +8,7 @@ from ...brushes import BRUSHES
 from ...level.params import describe
 from .. import param_widgets, theme
 from ..editor import Editor
-from ..tools import BRUSH, SELECT, TOOLS, pick_tool
+from ..tools import BRUSH, FRONT, SELECT, TOOLS, pick_tool
 
 TILE_PX = 56
 # Profiles of the ground in a unit square, y up: what each brush makes of it. A brush without one shows a circle.
@@ -46,7 +46,7 @@ def _select(editor: Editor) -> None:
     row, session = TOOLS[SELECT], editor.session
     corner = imgui.get_cursor_screen_pos()
     width = min(imgui.get_content_region_avail().x, TILE_PX)
-    chosen = session.tool != BRUSH
+    chosen = session.tool not in (BRUSH, FRONT)
     if chosen:
         imgui.push_style_color(imgui.Col_.button, theme.colour(theme.ACCENT_DEEP))
     if imgui.button("###select_tool", imgui.ImVec2(width, TILE_PX)):
@@ -102,6 +102,13 @@ def draw_parameters(editor: Editor) -> None:
         _told(TOOLS[session.tool].title, TOOLS[session.tool].doc)
         if session.tool == "prop":
             _meshes(editor)
+        if session.tool == FRONT:
+            param_widgets.draw_all(
+                describe(type(session.front)),
+                lambda name: getattr(session.front, name),
+                lambda name, value, merge: editor.attempt(session.set_front, name, value),
+                lambda: None,
+            )
         return
     brush, params = BRUSHES[session.brush], session.params[session.brush]
     _told(brush.label, brush.doc)

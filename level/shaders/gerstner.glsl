@@ -1,6 +1,7 @@
 // Gerstner waves by frequency groups (H05, H06, H29). The twin is level/gerstner.py.
 #include "level/noise_lattice.glsl"
 #include "level/arrival.glsl"
+#include "level/pins.glsl"
 
 const int FRONTS = 8;           // the high group's five, then the low group's three
 const int HIGH_FRONTS = 5;
@@ -30,7 +31,11 @@ vec3 phase_noise(int i, vec4 size, vec2 before) {
     vec2 crest = vec2(size.w, -size.z), turn = u_front_turn[i];
     float along = 0.5 * dot(before, crest) / u_phase_noise_m;
     vec2 noise = crest_bend(along + turn.y) + crest_bend(0.618034 * along - turn.y) * vec2(1.0, 0.618034);
-    return turn.x * vec3(0.5 * noise.x - 0.5, 0.25 * noise.y / u_phase_noise_m * crest);
+    vec3 bend = turn.x * vec3(0.5 * noise.x - 0.5, 0.25 * noise.y / u_phase_noise_m * crest);
+#ifdef TRAVEL_TIME
+    if (i == HIGH_FRONTS) bend += pinned_later(before);
+#endif
+    return bend;
 }
 
 vec3 phase_noise(int i, vec2 before) { return phase_noise(i, u_front_size[i], before); }

@@ -71,7 +71,12 @@ vec3 wave_noise(vec2 xy, int number) {
 // How much earlier waves arrive at a place, in intervals: noise, and the sway along the shore (H20).
 vec3 shore_early(vec2 xy, vec3 sway) {
     vec3 noise = (value_noise(xy, 3.0 * u_shore_variety_m, ivec2(11, 37)) - d_const(0.5)) * (2.0 * u_shore_stagger);
-    return noise + sway * u_shore_sway;
+    vec3 early = noise + sway * u_shore_sway;
+#ifdef TRAVEL_TIME
+    return early - pinned_later(xy) * (1.0 - u_arrival_share);
+#else
+    return early - pinned_later(xy);
+#endif
 }
 
 // Cycles that a front of the depth's clock takes for the whole range, s = 0 … 1.
@@ -139,7 +144,8 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
 #ifdef TRAVEL_TIME
     Passing passing = passing_at(xy);
     vec3 bend = phase_noise(HIGH_FRONTS, xy);
-    early = d_mul(early, d_step(0.0, 1.0, s_body));
+    vec3 late = pinned_later(xy) * (1.0 - u_arrival_share);
+    early = d_mul(early + late, d_step(0.0, 1.0, s_body)) - late;
     vec3 arrived = swash_arrived(passing, bend, early);
     vec3 since = d_const(u_shore_clock * float(u_shore_count)) - lead_arrival(passing, bend, s_body, early);
     float last = floor(since.x);
