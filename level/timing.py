@@ -20,10 +20,11 @@ from .gerstner import Fronts, phase_noise
 from .level import Level
 from .noise import lattice
 from .patches import patch_shore
+from .pins import later
 from .sea_keys import fronts_at
 from .settings import Shore
 from .shore import shore_map
-from .shore_waves import BREAK_S, Travel, _height_along, lead_arrival, shore_early
+from .shore_waves import BREAK_S, Travel, _height_along, lead_arrival, s_cycles, shore_early
 from .surf import BROKEN_SHARE
 from .weather_keys import level_at
 
@@ -83,13 +84,14 @@ def passage(level: Level, t: float, x, y, clock: Clock | None = None) -> Passage
     bed = shore_map(level).at(x, y, level.tide_m)
     s = 1.0 - bed["smoothed"] * (1 / shore.range_m)
     early = shore_early(shore, x, y, beach_map(level).at(x, y)[1], lattice(level.settings.level.seed))
+    late = later(level, t, x, y)
     if made is None:
-        cycles, travel, share = s * (shore.count / (1 + shore.runup)) - early, None, 0.0
+        cycles, travel, share = s * s_cycles(shore) - early + late, None, 0.0
     else:
         share = level.settings.timing.share
-        bend = phase_noise(level.settings.sea, clock.fronts, 0, x, y)
+        bend = phase_noise(level.settings.sea, clock.fronts, 0, x, y) + late
         travel = Travel.of(made.at(x, y), bend, share)
-        cycles = lead_arrival(shore, s, early * step(0.0, 1.0, s), travel)
+        cycles = lead_arrival(shore, s, early * step(0.0, 1.0, s) - late * (1 - share), travel)
     sea = bed["sea"].v * bed["within"].v * patch_shore(level, x, y).v
     height = _height(shore, s, travel)
     stands = (sea > 0.5) & (bed["depth"].v > 0) & (s.v < 1) & (height > FLAT)

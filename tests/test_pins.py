@@ -11,6 +11,7 @@ from shorewright.level.objects import Pin
 from shorewright.level.pins import bent, check_pins, pins
 from shorewright.level.shaping import shape_front
 from shorewright.level.shaping_lines import phase_at
+from shorewright.level.timing import passage
 from shorewright.level.waves import surface_at
 
 PLACES = [(60.0, 25.0, 4.0), (110.0, 30.0, 6.0), (30.0, 40.0, 5.5)]
@@ -36,6 +37,15 @@ def test_a_crest_is_there_then(source, count):
     for x, y, time_s in PLACES[:count]:
         assert away(phase_at(level, time_s, x, y)[0].v) < 1e-6
         assert away(phase_at(bare, time_s, x, y)[0].v) > 1e-3
+
+
+@pytest.mark.parametrize("source", ["depth", "travel_time", "blend"])
+def test_the_timing_knows_of_pins(source):
+    """T06, T07: what is read as the moment of a crest is the moment that was pinned."""
+    level = beach(source, 3)
+    for x, y, time_s in PLACES:
+        found = passage(level, time_s, [x], [y])
+        assert away(time_s / found.period_s - found.cycles.v[0]) < 1e-6
 
 
 def test_one_pin_shifts_all():

@@ -25,7 +25,8 @@ Passage passage_at(vec2 xy) {
 #ifdef TRAVEL_TIME
     share = u_arrival_share;
     Passing passing = passing_at(xy);
-    early = d_mul(early, d_step(0.0, 1.0, s));
+    vec3 late = pinned_later(xy) * (1.0 - share);
+    early = d_mul(early + late, d_step(0.0, 1.0, s)) - late;
     vec3 cycles = lead_arrival(passing, phase_noise(HIGH_FRONTS, xy), s, early);
     high = mix(high, passing.lead_height.x, share);
 #else
