@@ -42,6 +42,7 @@ OFF = {
     "plate.glsl": {"caustics.on": "NO_CAUSTICS"},
 }  # fmt: skip
 WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl")  # read patches.glsl
+WITH_SEA = ("sea.glsl", "view.glsl")  # ask sea_surface
 IN_THE_SUN = ("sea.glsl", "light.glsl", "view.glsl")  # ask sun_visibility
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
@@ -142,6 +143,8 @@ class Frame:
             defines["PATCHED"] = ""
         if name in WITH_WAVES and self.travels:
             defines["TRAVEL_TIME"] = ""
+        if name in WITH_SEA and self.level.settings.shore.plunge > 0:
+            defines["PLUNGE"] = ""
         if name in IN_THE_SUN:
             defines |= self.defines
         defines |= {off: "" for path, off in OFF.get(name, {}).items() if not get(self.level.settings, path)}

@@ -21,9 +21,9 @@ void main() {
 """
 
 
-def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict):
+def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict, defines: str = ""):
     """Run a vertex shader over points `in_at` (n, 2), read back its varyings (floats by name), release `textures`."""
-    defines = "#define TRAVEL_TIME\n" if "u_arrival" in textures else ""
+    defines += "#define TRAVEL_TIME\n" if "u_arrival" in textures else ""
     text = "#version 410 core\n" + defines + resolve("points", {"points": source}).text
     program = ctx.program(vertex_shader=text, varyings=list(varyings))
     for unit, (name, texture) in enumerate(textures.items()):
@@ -56,4 +56,6 @@ def feedback(ctx, level, t, at):
     made = arrival(level, t)
     if made is not None:
         textures["u_arrival"] = ctx.texture(made.packed.shape[1::-1], 4, made.packed.tobytes(), dtype="f4")
-    return transform(ctx, SEA, at, {"v_position": 4, "v_masks": 4, "v_sheet": 4}, textures, wave_uniforms(level, t))
+    varyings = {"v_position": 4, "v_masks": 4, "v_sheet": 4}
+    breaks = "#define PLUNGE\n" if level.settings.shore.plunge > 0 else ""
+    return transform(ctx, SEA, at, varyings, textures, wave_uniforms(level, t), breaks)

@@ -93,6 +93,14 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     float patches = foam_patches(before, pixel_m, near);
     float torn = smoothstep(0.30, 0.70, patches);
     float broken = smoothstep(BREAKS_S, BROKEN_S, m.s + 0.30 * (patches - 0.5));
+    float rolling = broken, splash = 0.0;
+#ifdef PLUNGE
+    // foam and shape of a wave are one (D34): it starts at the lip, where that comes down the water stays white
+    float whole = min(u_shore_plunge, 1.0);
+    rolling = mix(broken, white_water(m.progress, m.breaker), whole);
+    broken = mix(broken, smoothstep(BREAK_S - 0.06, BREAK_S + 0.10, m.s + 0.10 * (patches - 0.5)), whole);
+    splash = smoothstep(0.02, 0.22, m.splash + 0.25 * (patches - 0.5) * step(0.005, m.splash));
+#endif
     float steep = max(length(sea.bed.smoothed.yz), 0.015);
     float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
     // behind a bar or a rim the wave has spent itself: no crest falls there, no sheet runs up
@@ -100,7 +108,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     float runs_up = 1.0 - smoothstep(POOL_M, 4.0 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
     // on a flat a front is as wide as the flat: torn there, whole where the bed is steep
     open *= mix(0.15 + 0.75 * torn * patches, 1.0, smoothstep(0.012, 0.05, length(sea.bed.smoothed.yz)));
-    float crest = open * crest_foam(m, to_m, down_m, broken, patches);
+    float crest = open * max(crest_foam(m, to_m, down_m, rolling, patches), 0.9 * splash);
     float back = max(m.back, m.line) * broken;
     float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
     // the sheet: dense while it runs up, lace whose holes grow while it drains
