@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .dual import Dual, step
+from .noise import value_noise
 from .settings import Shore
 
 BREAK_S = 0.78  # where along the range a front stands highest and its lip leaves it; from there it falls
@@ -22,6 +23,7 @@ FACE_MOST_M = 5.0  # a front on a flat is wider than any wave's face
 SPILLS, SURGES = (0.3, 0.5), (1.7, 2.4)  # ξ between the types
 FLAT = (0.004, 0.015)  # slopes below which the bed has no way of its own
 ASHORE_S = (0.9, 1.0)  # nothing is carried ahead where the water is thin
+RAGGED_M = (13.0, 3.1)  # lengths along the crest over which it breaks sooner and later
 STEEPENS = -2.5  # progress from which on the landward face steepens
 GRAVITY = 9.81
 
@@ -55,13 +57,19 @@ def breaking_uniforms(shore: Shore, cycles_a_range: float) -> dict[str, float]:
         "u_shore_lip_m": shore.lip_m,
         "u_shore_break_rate": break_rate(shore, cycles_a_range),
         "u_shore_iribarren": iribarren(shore),
+        "u_shore_ragged": shore.ragged,
         "u_shore_feels_s": feels_s(shore, cycles_a_range),
     }
 
 
 def feels_s(shore: Shore, cycles_a_range: float) -> float:
     """From where along the range on a wave shows that it breaks, its tail too: farther out nobody asks."""
-    return BREAK_S + STEEPENS / break_rate(shore, cycles_a_range) - shore.gap - max(shore.back, shore.width)
+    return (
+        BREAK_S
+        + (STEEPENS - shore.ragged) / break_rate(shore, cycles_a_range)
+        - shore.gap
+        - max(shore.back, shore.width)
+    )
 
 
 def break_rate(shore: Shore, cycles_a_range: float) -> float:
@@ -107,13 +115,19 @@ def breaker_at(shore: Shore, cycles_a_range: float, bed: Gradient, swell: Gradie
     return Breaker(east * over, north * over, face, plunging, (1.0 - surging) * known)
 
 
-def progress(rate: float, front_s: Dual) -> Dual:
+def progress(shore: Shore, cycles_a_range: float, front_s: Dual) -> Dual:
     """Progress of a front from where it stands along the range."""
-    return (front_s - BREAK_S) * rate
+    return (front_s - BREAK_S) * break_rate(shore, cycles_a_range)
 
 
-def carried(shore: Shore, u: Dual, q: Dual, breaker: Breaker, high: Dual) -> Carried:
-    """What breaking does to points of the body of one wave; `high`: its height there against the highest."""
+def raggedness(shore: Shore, values: np.ndarray, x, y, wave) -> Dual:
+    """How much sooner the wave of this number breaks at a place, in times of its fall; `values`: the noise lattice."""
+    long, short = (value_noise(values, x, y, size, (wave * 13, wave * 31)) - 0.5 for size in RAGGED_M)
+    return (long + short * 0.5) * shore.ragged
+
+
+def carried(shore: Shore, u: Dual, q: Dual, breaker: Breaker, high: Dual, sooner: Dual) -> Carried:
+    """What breaking does to points of one wave; `high`: its height there against the highest, `sooner`: raggedness."""
     w, gap, back_s = shore.width, shore.gap, shore.back
     body = step(-gap - 0.4 * back_s, -0.5 * w, u) * (1.0 - step(-0.5 * w, 0.5 * w, u))
     onto_lip = step(-gap - 0.5 * w, -0.5 * w, u)
@@ -127,7 +141,7 @@ def carried(shore: Shore, u: Dual, q: Dual, breaker: Breaker, high: Dual) -> Car
     ahead = (lean + lip * thrown * high * shore.lip_m) * shore.plunge
     stands = 1.0 - onto_lip * onto_lip * underside * falls * min(shore.plunge, 1.0)
     up = step(0.8, 1.3, q) * (1.0 - step(1.3, 2.6, q)) * breaker.plunging * (0.5 * shore.plunge)
-    splash = step(0.3 * w, 1.1 * w, u) * (1.0 - step(1.1 * w, 2.4 * w, u)) * up
+    splash = step(0.3 * w, 1.1 * w, u) * (1.0 - step(1.1 * w, 2.4 * w, u)) * up * (1.0 + sooner)
     return Carried(ahead, stands, splash)
 
 

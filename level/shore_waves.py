@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from .arrival_map import Passing
-from .breaking import ASHORE_S, BREAK_S, Breaker, break_rate, breaker_at, carried, feels_s, progress, white_water
+from .breaking import ASHORE_S, BREAK_S, Breaker, breaker_at, carried, feels_s, progress, raggedness, white_water
 from .dual import Dual, positive, step
 from .noise import LATTICE, value_noise
 from .settings import Shore
@@ -131,7 +131,7 @@ def shore_masks(
         a, b = np.where(closer, a_here, a), np.where(closer, b_here, b)
         body = _body(shore, u_body, f)
         if breaks is not None:
-            body = breaks.broken(u_body, f, body, tall * along, here, closer)
+            body = breaks.broken(u_body, f, body, tall * along, raggedness(shore, values, x, y, wave), here, closer)
         lift = lift + body * tall
     arrived = _arrived(shore, clock, early, travel)
     run = _swash(shore, clock, arrived, values, x, y)
@@ -177,10 +177,10 @@ class _Breaks:
         ashore = (1.0 - step(*ASHORE_S, s_body)) * feels
         return cls(shore, breaker, ashore, feels, Dual(nothing), nothing - 9.0, nothing)
 
-    def broken(self, u: Dual, f: Dual, body: Dual, high: Dual, foam: list[np.ndarray], closer: np.ndarray) -> Dual:
-        """The body of one wave as it breaks; notes how far it is carried, and its foam."""
-        q = progress(break_rate(self.shore, s_cycles(self.shore)), f)
-        moved = carried(self.shore, u, q, self.breaker, high)
+    def broken(self, u: Dual, f: Dual, body: Dual, high: Dual, sooner: Dual, foam: list, closer: np.ndarray) -> Dual:
+        """The body of one wave as it breaks, `sooner` than others; notes how far it is carried, and its foam."""
+        q = progress(self.shore, s_cycles(self.shore), f) + sooner
+        moved = carried(self.shore, u, q, self.breaker, high, sooner)
         self.ahead_m = self.ahead_m + moved.ahead_m
         self.progress = np.where(closer, q.v, self.progress)
         self.white = np.maximum(self.white, white_water(q.v, self.breaker) * np.maximum.reduce(foam) * self.feels)

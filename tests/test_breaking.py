@@ -4,7 +4,12 @@ import numpy as np
 import pytest
 from coasts import make_beach
 from points import feedback
+from shorewright.level.arrival import arrival, shore_at, swell
 from shorewright.level.breaking import SPILLS, SURGES, iribarren, overhang_m
+from shorewright.level.dual import Dual
+from shorewright.level.gerstner import phase_noise
+from shorewright.level.shore import shore_map
+from shorewright.level.shore_waves import Travel, lead_arrival, s_cycles
 from shorewright.level.waves import sea_at, surface_at
 
 SOURCES = ("depth", "travel_time", "blend")
@@ -13,7 +18,7 @@ SOURCES = ("depth", "travel_time", "blend")
 def breaking_beach(slope=0.08, plunge=1.0, source="depth", rows=257, cols=65, **options):
     """A planar beach without offshore waves or variety: its shore waves alone."""
     level = make_beach(rows=rows, cols=cols, slope=slope, **options)
-    settings = {"plunge": plunge, "variety": 0.0, "stagger": 0.0}
+    settings = {"plunge": plunge, "variety": 0.0, "stagger": 0.0, "ragged": 0.0}
     for name, value in settings.items():
         level.set(f"shore.{name}", value)
     level.set("timing.source", source)
@@ -95,6 +100,7 @@ def test_normals_of_a_breaking_wave_come_from_its_positions(source):
     """H23 H29: analytic normals within 0.5° of differences, lateral shift and all."""
     level = breaking_beach(source=source, rough_m=0.05)
     level.set("shore.variety", 0.5)
+    level.set("shore.ragged", 0.7)
     level.set("sea.on", True)
     at = np.random.default_rng(2).uniform((5, 70), (60, 130), (4000, 2)).T
     t, h = time_of(level, 0.81), 1e-5
@@ -149,6 +155,42 @@ def test_nothing_is_carried_while_the_knob_is_at_zero():
     assert plain.shore.shift is None
     for name in ("x", "y", "height_m", "normal"):
         assert np.array_equal(getattr(plain, name), getattr(again, name))
+
+
+def arrival_along(level, y) -> np.ndarray:
+    """When crest 0 of the shore waves passes places on the line across the beach, in cycles."""
+    x, shore, made = np.full_like(y, 32.0), shore_at(level, 0.0), arrival(level, 0.0)
+    s = 1.0 - shore_map(level).at(x, y)["smoothed"] * (1 / shore.range_m)
+    nothing = Dual(np.zeros_like(y))
+    if made is None:
+        return (s * s_cycles(shore)).v
+    bend = phase_noise(level.settings.sea, swell(level, 0.0), 0, x, y)
+    return lead_arrival(shore, s, nothing, Travel.of(made.at(x, y), bend, 1.0)).v
+
+
+@pytest.mark.parametrize("source", ["depth", "travel_time"])
+def test_foam_and_shape_of_one_wave_change_little_from_frame_to_frame(source):
+    """D34 D04: one wave followed at 30 fps from the outer edge to the swash: its line, back, fall and white water, at
+    places that go with it, change by a bounded amount; it is clear before it breaks, white after."""
+    level = breaking_beach(source=source)
+    interval_s, y = shore_at(level, 0.0).interval_s, np.linspace(66, 140, 1481)
+    cycles = np.maximum.accumulate(arrival_along(level, y))
+    behind = np.array([-0.9, -0.5, -0.25, -0.1, -0.03, 0.0, 0.03, 0.08])  # in cycles, below 0 seaward
+    first, last = np.interp([70.0, 135.0], y, cycles)
+    white, masks = [], []
+    for now in np.arange(first, last, 1 / 30 / interval_s):
+        at = np.interp(now + behind, cycles, y)
+        shore = surface_at(level, now * interval_s, np.full_like(at, 32.0), at).shore
+        white.append(shore.white)
+        masks.append(np.stack([shore.line, shore.back, shore.fall]))
+    assert len(white) > 150
+    white, masks = np.array(white), np.array(masks)
+    assert np.abs(np.diff(white, axis=0)).max() < 0.06
+    assert np.abs(np.diff(masks, axis=0)).max() < 0.08
+    assert white[:20].max() < 0.05
+    assert white.max() > 0.7
+    peak = int(white.max(1).argmax())
+    assert white[-1].max() < 0.7 * white[peak].max()
 
 
 @pytest.mark.gl

@@ -2,6 +2,7 @@
 #include "level/dual.glsl"
 #include "level/bed.glsl"
 #include "level/gerstner.glsl"
+#include "level/noise_lattice.glsl"
 
 const float BREAK_S = 0.78;  // where along the range a front stands highest and its lip leaves it; from there it falls
 
@@ -9,11 +10,13 @@ const float BREAK_S = 0.78;  // where along the range a front stands highest and
 uniform float u_shore_plunge, u_shore_lip_m;
 uniform float u_shore_break_rate;  // progress that a front makes in one range
 uniform float u_shore_iribarren;   // ξ on a bed of slope 1
+uniform float u_shore_ragged;      // how differently soon a crest breaks along its length
 uniform float u_shore_feels_s;     // from here on a wave shows that it breaks
 
 const float STEEPENED = 0.62, FACE_MOST_M = 5.0;
 const vec2 SPILLS = vec2(0.3, 0.5), SURGES = vec2(1.7, 2.4);  // ξ between the types
 const vec2 FLAT_SLOPE = vec2(0.004, 0.015), ASHORE_S = vec2(0.9, 1.0);
+const vec2 RAGGED_M = vec2(13.0, 3.1);  // lengths along the crest over which it breaks sooner and later
 const float STEEPENS = -2.5;  // progress from which on the landward face steepens
 
 // Duals: the unit way that waves go, width of a front's face in metres, how far it falls over, how far it leans at all.
@@ -74,8 +77,15 @@ Breaker breaker_at(vec2 xy, float cycles_a_range, float range_m, float width) {
 // Progress of a front from where it stands along the range: 0 where the lip leaves it, 1 where that meets the water.
 vec3 break_progress(vec3 front_s) { return (front_s - d_const(BREAK_S)) * u_shore_break_rate; }
 
+// How much sooner the wave of this number breaks at a place, in times of its fall.
+vec3 raggedness(vec2 xy, int wave) {
+    ivec2 at = ivec2(wave * 13, wave * 31);
+    vec3 long_one = value_noise(xy, RAGGED_M.x, at) - d_const(0.5), short_one = value_noise(xy, RAGGED_M.y, at) - d_const(0.5);
+    return (long_one + short_one * 0.5) * u_shore_ragged;
+}
+
 // What breaking does to a point of the body of one wave; `high`: its height there against the highest.
-Carried carried(vec3 u, vec3 q, Breaker breaker, vec3 high, float w, float gap, float back_s) {
+Carried carried(vec3 u, vec3 q, Breaker breaker, vec3 high, vec3 sooner, float w, float gap, float back_s) {
     vec3 one = d_const(1.0);
     vec3 body = d_mul(d_step(-gap - 0.4 * back_s, -0.5 * w, u), one - d_step(-0.5 * w, 0.5 * w, u));
     vec3 onto_lip = d_step(-gap - 0.5 * w, -0.5 * w, u), underside = one - d_step(-0.3 * w, 0.45 * w, u);
@@ -89,6 +99,7 @@ Carried carried(vec3 u, vec3 q, Breaker breaker, vec3 high, float w, float gap, 
     vec3 ahead = (lean + d_mul(d_mul(lip, thrown), high) * u_shore_lip_m) * u_shore_plunge;
     vec3 stands = one - d_mul(d_mul(d_mul(onto_lip, onto_lip), underside), falls) * min(u_shore_plunge, 1.0);
     vec3 up = d_mul(d_mul(d_step(0.8, 1.3, q), one - d_step(1.3, 2.6, q)), breaker.plunging) * (0.5 * u_shore_plunge);
+    up = d_mul(up, one + sooner);
     vec3 splash = d_mul(d_mul(d_step(0.3 * w, 1.1 * w, u), one - d_step(1.1 * w, 2.4 * w, u)), up);
     return Carried(ahead, stands, splash);
 }

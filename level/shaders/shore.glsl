@@ -185,15 +185,13 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
             m.a = a;
             m.b = b;
             m.front = f.x;
-#ifdef PLUNGE
-            m.progress = break_progress(f).x;
-#endif
         }
         vec3 body = shore_body(u_body, f);
 #ifdef PLUNGE
         if (feels) {
-            vec3 q = break_progress(f);
-            Carried moved = carried(u_body, q, m.breaker, d_mul(tall, along), u_shore_width, u_shore_gap, u_shore_back);
+            vec3 sooner = raggedness(xy, wave), q = break_progress(f) + sooner, high = d_mul(tall, along);
+            if (away <= nearest) m.progress = q.x;
+            Carried moved = carried(u_body, q, m.breaker, high, sooner, u_shore_width, u_shore_gap, u_shore_back);
             ahead_m += moved.ahead_m;
             m.splash = max(m.splash, moved.splash.x);
             m.white = max(m.white, white_water(q.x, m.breaker) * max(max(here.x, here.y), here.z));

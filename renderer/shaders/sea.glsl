@@ -95,6 +95,11 @@ void main() {
     vec2 shown = sea.deep * sharp.x * vec2(1.0, sharp.y);
     float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled + rings.z;
     vec3 normal = normalize(vec3(-slope, 1.0));
+#ifdef PLUNGE
+    // a face that stands upright or hangs over is no slope (H23)
+    vec3 hanging = normalize(sea.normal - vec3(rippled * ripple.xy, 0.0));
+    normal = normalize(mix(normal, hanging, (1.0 - smoothstep(0.25, 0.6, sea.normal.z)) * sharp.x));
+#endif
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 

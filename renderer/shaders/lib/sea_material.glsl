@@ -52,6 +52,17 @@ float foam_of_shore(float distance_m, float torn) {
     return u_foam_shore * near * near * torn * smoothstep(-FOAM_ASHORE_M, 0.5 * FOAM_ASHORE_M, distance_m);
 }
 
+#ifdef PLUNGE
+// Foam of a crest that throws its lip (D34): a thin line on its edge while that falls, then all that it falls on.
+float lip_foam(ShoreMasks m, float to_m, float down_m, float tear) {
+    float fallen = smoothstep(0.75, 1.5, m.progress), reach_m = mix(0.1, 1.0, fallen) * min(u_shore_width * to_m, 9.0);
+    float wide_m = mix(0.25, 1.6, fallen);
+    float over = 1.0 - smoothstep(-wide_m, wide_m, down_m - reach_m + 4.0 * wide_m * (tear - 0.5));
+    float behind = exp2(min(down_m + mix(0.1, 0.6, fallen), 0.0) / mix(0.22, 1.8, fallen));
+    return over * behind * white_water(m.progress, m.breaker) * smoothstep(0.02, 0.3, max(m.fall, m.line));
+}
+#endif
+
 // Foam on high water (H18): height against the largest possible sum.
 float foam_of_height(float height01) {
     return u_foam_height * smoothstep(u_foam_height_low, max(u_foam_height_high, u_foam_height_low + 1e-3), height01);
@@ -93,13 +104,14 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     float patches = foam_patches(before, pixel_m, near);
     float torn = smoothstep(0.30, 0.70, patches);
     float broken = smoothstep(BREAKS_S, BROKEN_S, m.s + 0.30 * (patches - 0.5));
-    float rolling = broken, splash = 0.0;
+    float rolling = broken, plunging = 0.0;
 #ifdef PLUNGE
     // foam and shape of a wave are one (D34): it starts at the lip, where that comes down the water stays white
     float whole = min(u_shore_plunge, 1.0);
     rolling = mix(broken, white_water(m.progress, m.breaker), whole);
-    broken = mix(broken, smoothstep(BREAK_S - 0.06, BREAK_S + 0.10, m.s + 0.10 * (patches - 0.5)), whole);
-    splash = smoothstep(0.02, 0.22, m.splash + 0.25 * (patches - 0.5) * step(0.005, m.splash));
+    plunging = whole * m.breaker.plunging.x;
+    vec2 down = BREAK_S + mix(vec2(-0.8, 1.6), vec2(0.5, 1.5), plunging) / u_shore_break_rate;
+    broken = mix(broken, smoothstep(down.x, down.y, m.s + 0.06 * (patches - 0.5)), whole);
 #endif
     float steep = max(length(sea.bed.smoothed.yz), 0.015);
     float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
@@ -108,7 +120,12 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     float runs_up = 1.0 - smoothstep(POOL_M, 4.0 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
     // on a flat a front is as wide as the flat: torn there, whole where the bed is steep
     open *= mix(0.15 + 0.75 * torn * patches, 1.0, smoothstep(0.012, 0.05, length(sea.bed.smoothed.yz)));
-    float crest = open * max(crest_foam(m, to_m, down_m, rolling, patches), 0.9 * splash);
+    float crest = crest_foam(m, to_m, down_m, rolling, patches);
+#ifdef PLUNGE
+    float splash = smoothstep(0.02, 0.22, m.splash + 0.25 * (patches - 0.5) * step(0.005, m.splash));
+    crest = mix(crest, max(lip_foam(m, to_m, down_m, patches), 0.9 * splash), plunging);
+#endif
+    crest *= open;
     float back = max(m.back, m.line) * broken;
     float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
     // the sheet: dense while it runs up, lace whose holes grow while it drains
