@@ -19,6 +19,7 @@ from .settings import Shore
 
 BREAK_S = 0.78  # where along the range a front stands highest and its lip leaves it; from there it falls
 STEEPENED = 0.62  # of its face's width a crest has moved over it when it breaks
+SPILLED = 0.5  # share of that where it spills
 FACE_MOST_M = 5.0  # a front on a flat is wider than any wave's face
 SPILLS, SURGES = (0.3, 0.5), (1.7, 2.4)  # ξ between the types
 FLAT = (0.004, 0.015)  # slopes below which the bed has no way of its own
@@ -112,7 +113,8 @@ def breaker_at(shore: Shore, cycles_a_range: float, bed: Gradient, swell: Gradie
     known = step(*FLAT, slope)
     face = inverse(fast * (1 / (cycles_a_range * shore.width)), 1 / FACE_MOST_M)
     plunging = step(*SPILLS, xi) * (1.0 - surging) * known
-    return Breaker(east * over, north * over, face, plunging, (1.0 - surging) * known)
+    leaning = (plunging * (1.0 - SPILLED) + SPILLED) * (1.0 - surging) * known
+    return Breaker(east * over, north * over, face, plunging, leaning)
 
 
 def progress(shore: Shore, cycles_a_range: float, front_s: Dual) -> Dual:
@@ -147,7 +149,7 @@ def carried(shore: Shore, u: Dual, q: Dual, breaker: Breaker, high: Dual, sooner
 
 def white_water(q: np.ndarray, breaker: Breaker) -> np.ndarray:
     """How white a wave is: from when its lip falls, or slowly where foam only rolls down its face; less once spent."""
-    falling, rolling = step(-0.3, 0.9, Dual(q)).v, step(-1.0, 2.5, Dual(q)).v
+    falling, rolling = step(-0.3, 0.9, Dual(q)).v, step(-1.2, 1.2, Dual(q)).v
     grown = rolling + (falling - rolling) * breaker.plunging.v
     return grown * (1.0 - 0.35 * step(3.0, 6.0, Dual(q)).v)
 

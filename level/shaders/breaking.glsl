@@ -13,7 +13,7 @@ uniform float u_shore_iribarren;   // ξ on a bed of slope 1
 uniform float u_shore_ragged;      // how differently soon a crest breaks along its length
 uniform float u_shore_feels_s;     // from here on a wave shows that it breaks
 
-const float STEEPENED = 0.62, FACE_MOST_M = 5.0;
+const float STEEPENED = 0.62, SPILLED = 0.5, FACE_MOST_M = 5.0;
 const vec2 SPILLS = vec2(0.3, 0.5), SURGES = vec2(1.7, 2.4);  // ξ between the types
 const vec2 FLAT_SLOPE = vec2(0.004, 0.015), ASHORE_S = vec2(0.9, 1.0);
 const vec2 RAGGED_M = vec2(13.0, 3.1);  // lengths along the crest over which it breaks sooner and later
@@ -71,7 +71,9 @@ Breaker breaker_at(vec2 xy, float cycles_a_range, float range_m, float width) {
     vec3 xi = slope * u_shore_iribarren, calm = d_const(1.0) - d_step(SURGES.x, SURGES.y, xi);
     vec3 leaning = d_mul(calm, d_step(FLAT_SLOPE.x, FLAT_SLOPE.y, slope));
     vec3 face = d_inverse(fast / (cycles_a_range * width), 1.0 / FACE_MOST_M);
-    return Breaker(d_mul(east, over), d_mul(north, over), face, d_mul(d_step(SPILLS.x, SPILLS.y, xi), leaning), leaning);
+    vec3 plunging = d_mul(d_step(SPILLS.x, SPILLS.y, xi), leaning);
+    leaning = d_mul(plunging * (1.0 - SPILLED) + d_const(SPILLED), leaning);
+    return Breaker(d_mul(east, over), d_mul(north, over), face, plunging, leaning);
 }
 
 // Progress of a front from where it stands along the range: 0 where the lip leaves it, 1 where that meets the water.
@@ -106,7 +108,7 @@ Carried carried(vec3 u, vec3 q, Breaker breaker, vec3 high, vec3 sooner, float w
 
 // How white a wave is: from when its lip falls, or slowly where foam only rolls down its face; less as it is spent.
 float white_water(float q, Breaker breaker) {
-    float falling = smoothstep(-0.3, 0.9, q), rolling = smoothstep(-1.0, 2.5, q);
+    float falling = smoothstep(-0.3, 0.9, q), rolling = smoothstep(-1.2, 1.2, q);
     return mix(rolling, falling, breaker.plunging.x) * (1.0 - 0.35 * smoothstep(3.0, 6.0, q));
 }
 #endif

@@ -98,7 +98,8 @@ void main() {
 #ifdef PLUNGE
     // a face that stands upright or hangs over is no slope (H23)
     vec3 hanging = normalize(sea.normal - vec3(rippled * ripple.xy, 0.0));
-    normal = normalize(mix(normal, hanging, (1.0 - smoothstep(0.25, 0.6, sea.normal.z)) * sharp.x));
+    float hangs = (1.0 - smoothstep(0.25, 0.6, sea.normal.z)) * sharp.x;
+    normal = normalize(mix(normal, hanging, hangs));
 #endif
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
@@ -111,6 +112,10 @@ void main() {
     float face_m = min(pixel_m, pixel_metres(relative, sea.normal));
     Foam foam = sea_foam(sea, on_face(before, sea), column, sharp.x, painted, current, u_show_procedural_foam, face_m);
 
+#ifdef PLUNGE
+    // white water is no sheet with a dark side: light comes through it from above
+    normal = normalize(normal + vec3(0.0, 0.0, 2.2 * hangs * foam.cover));
+#endif
     vec4 land = below(normal, eye_depth, away);
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
     float depth = land.w * water_cosine(cosine) * abs(to_eye.z);

@@ -89,7 +89,7 @@ vec4 foam_density(vec2 before, float pixel_m) {
 vec3 breaking_colour(Sea sea) {
 #ifdef PLUNGE
     ShoreMasks m = sea.shore;
-    vec3 type = mix(mix(vec3(0.60), vec3(0.0, 0.45, 0.85), m.breaker.leaning.x), vec3(0.95, 0.55, 0.0), m.breaker.plunging.x);
+    vec3 type = mix(mix(vec3(0.60), vec3(0.0, 0.45, 0.85), min(m.breaker.leaning.x / SPILLED, 1.0)), vec3(0.95, 0.55, 0.0), m.breaker.plunging.x);
     float waves = max(max(m.line, m.back), m.fall), grown = smoothstep(STEEPENS, 1.5, m.progress);
     return mix(type * (0.10 + 0.75 * waves * grown), vec3(1.0), 0.8 * m.white);
 #else

@@ -104,10 +104,10 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     float patches = foam_patches(before, pixel_m, near);
     float torn = smoothstep(0.30, 0.70, patches);
     float broken = smoothstep(BREAKS_S, BROKEN_S, m.s + 0.30 * (patches - 0.5));
-    float rolling = broken, plunging = 0.0;
+    float rolling = broken, plunging = 0.0, whole = 0.0;
 #ifdef PLUNGE
     // foam and shape of a wave are one (D34): it starts at the lip, where that comes down the water stays white
-    float whole = min(u_shore_plunge, 1.0);
+    whole = min(u_shore_plunge, 1.0);
     rolling = mix(broken, white_water(m.progress, m.breaker), whole);
     plunging = whole * m.breaker.plunging.x;
     vec2 down = BREAK_S + mix(vec2(-0.8, 1.6), vec2(0.5, 1.5), plunging) / u_shore_break_rate;
@@ -118,8 +118,9 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     // behind a bar or a rim the wave has spent itself: no crest falls there, no sheet runs up
     float open = 1.0 - smoothstep(0.5 * POOL_M, 2.5 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
     float runs_up = 1.0 - smoothstep(POOL_M, 4.0 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
-    // on a flat a front is as wide as the flat: torn there, whole where the bed is steep
-    open *= mix(0.15 + 0.75 * torn * patches, 1.0, smoothstep(0.012, 0.05, length(sea.bed.smoothed.yz)));
+    // on a flat a front is as wide as the flat: torn there, whole where the bed is steep or it has steepened itself
+    float narrow = max(smoothstep(0.012, 0.05, length(sea.bed.smoothed.yz)), 0.75 * whole);
+    open *= mix(0.15 + 0.75 * torn * patches, 1.0, narrow);
     float crest = crest_foam(m, to_m, down_m, rolling, patches);
 #ifdef PLUNGE
     float splash = smoothstep(0.02, 0.22, m.splash + 0.25 * (patches - 0.5) * step(0.005, m.splash));
