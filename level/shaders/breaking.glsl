@@ -79,6 +79,12 @@ Breaker breaker_at(vec2 xy, float cycles_a_range, float range_m, float width) {
 // Progress of a front from where it stands along the range: 0 where the lip leaves it, 1 where that meets the water.
 vec3 break_progress(vec3 front_s) { return (front_s - d_const(BREAK_S)) * u_shore_break_rate; }
 
+// False where breaking changes nothing of a wave: too early, or not on it.
+bool may_break(float u, float front_s, float w, float tail, float fall) {
+    bool late = (front_s - BREAK_S) * u_shore_break_rate > STEEPENS - u_shore_ragged;
+    return late && u > -tail && u < max(2.4 * w, 0.5 * w + fall);
+}
+
 // How much sooner the wave of this number breaks at a place, in times of its fall.
 vec3 raggedness(vec2 xy, int wave) {
     ivec2 at = ivec2(wave * 13, wave * 31);
