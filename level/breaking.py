@@ -22,6 +22,7 @@ STEEPENED = 0.62  # of its face's width a crest has moved over it when it breaks
 SPILLED = 0.5  # share of that where it spills
 FACE_MOST_M = 5.0  # a front on a flat is wider than any wave's face
 SPILLS, SURGES = (0.3, 0.5), (1.7, 2.4)  # ξ between the types
+LIP_OF_M = (0.25, 0.7)  # heights between which a crest throws a lip: a smaller one is thinner than the mesh's cells
 FLAT = (0.004, 0.015)  # slopes below which the bed has no way of its own
 ASHORE_S = (0.9, 1.0)  # nothing is carried ahead where the water is thin
 RAGGED_M = (13.0, 3.1)  # lengths along the crest over which it breaks sooner and later
@@ -136,13 +137,14 @@ def carried(shore: Shore, u: Dual, q: Dual, breaker: Breaker, high: Dual, sooner
     lip, underside = onto_lip * (1.0 - step(-0.5 * w, 0.15 * w, u)), 1.0 - step(-0.3 * w, 0.45 * w, u)
     spent = 1.0 - step(1.0, 2.6, q)
     steep = step(STEEPENS, 0.0, q) * (0.45 + 0.55 * spent)
-    thrown = step(-0.5, 1.1, q) * spent * breaker.plunging
+    plunging = breaker.plunging * step(*LIP_OF_M, high * shore.height_m)
+    thrown = step(-0.5, 1.1, q) * spent * plunging
     falls = step(-0.2, 1.1, q)
-    falls = falls * falls * spent * breaker.plunging
+    falls = falls * falls * spent * plunging
     lean = breaker.face_m * body * steep * breaker.leaning * STEEPENED
     ahead = (lean + lip * thrown * high * shore.lip_m) * shore.plunge
     stands = 1.0 - onto_lip * onto_lip * underside * falls * min(shore.plunge, 1.0)
-    up = step(0.8, 1.3, q) * (1.0 - step(1.3, 2.6, q)) * breaker.plunging * (0.5 * shore.plunge)
+    up = step(0.8, 1.3, q) * (1.0 - step(1.3, 2.6, q)) * plunging * (0.5 * shore.plunge)
     splash = step(0.3 * w, 1.1 * w, u) * (1.0 - step(1.1 * w, 2.4 * w, u)) * up * (1.0 + sooner)
     return Carried(ahead, stands, splash)
 

@@ -16,6 +16,7 @@ uniform float u_shore_feels_s;     // from here on a wave shows that it breaks
 const float STEEPENED = 0.62, SPILLED = 0.5, FACE_MOST_M = 5.0;
 const vec2 SPILLS = vec2(0.3, 0.5), SURGES = vec2(1.7, 2.4);  // ξ between the types
 const vec2 FLAT_SLOPE = vec2(0.004, 0.015), ASHORE_S = vec2(0.9, 1.0);
+const vec2 LIP_OF_M = vec2(0.25, 0.7);  // heights between which a crest throws a lip
 const vec2 RAGGED_M = vec2(13.0, 3.1);  // lengths along the crest over which it breaks sooner and later
 const float STEEPENS = -2.5;  // progress from which on the landward face steepens
 
@@ -93,20 +94,21 @@ vec3 raggedness(vec2 xy, int wave) {
 }
 
 // What breaking does to a point of the body of one wave; `high`: its height there against the highest.
-Carried carried(vec3 u, vec3 q, Breaker breaker, vec3 high, vec3 sooner, float w, float gap, float back_s) {
+Carried carried(vec3 u, vec3 q, Breaker breaker, vec3 high, vec3 sooner, float height_m, float w, float gap, float back_s) {
     vec3 one = d_const(1.0);
     vec3 body = d_mul(d_step(-gap - 0.4 * back_s, -0.5 * w, u), one - d_step(-0.5 * w, 0.5 * w, u));
     vec3 onto_lip = d_step(-gap - 0.5 * w, -0.5 * w, u), underside = one - d_step(-0.3 * w, 0.45 * w, u);
     vec3 lip = d_mul(onto_lip, one - d_step(-0.5 * w, 0.15 * w, u));
     vec3 spent = one - d_step(1.0, 2.6, q);
     vec3 steep = d_mul(d_step(STEEPENS, 0.0, q), d_const(0.45) + 0.55 * spent);
-    vec3 thrown = d_mul(d_mul(d_step(-0.5, 1.1, q), spent), breaker.plunging);
+    vec3 plunging = d_mul(breaker.plunging, d_step(LIP_OF_M.x, LIP_OF_M.y, high * height_m));
+    vec3 thrown = d_mul(d_mul(d_step(-0.5, 1.1, q), spent), plunging);
     vec3 falls = d_step(-0.2, 1.1, q);
-    falls = d_mul(d_mul(d_mul(falls, falls), spent), breaker.plunging);
+    falls = d_mul(d_mul(d_mul(falls, falls), spent), plunging);
     vec3 lean = d_mul(d_mul(breaker.face_m, body), d_mul(steep, breaker.leaning)) * STEEPENED;
     vec3 ahead = (lean + d_mul(d_mul(lip, thrown), high) * u_shore_lip_m) * u_shore_plunge;
     vec3 stands = one - d_mul(d_mul(d_mul(onto_lip, onto_lip), underside), falls) * min(u_shore_plunge, 1.0);
-    vec3 up = d_mul(d_mul(d_step(0.8, 1.3, q), one - d_step(1.3, 2.6, q)), breaker.plunging) * (0.5 * u_shore_plunge);
+    vec3 up = d_mul(d_mul(d_step(0.8, 1.3, q), one - d_step(1.3, 2.6, q)), plunging) * (0.5 * u_shore_plunge);
     up = d_mul(up, one + sooner);
     vec3 splash = d_mul(d_mul(d_step(0.3 * w, 1.1 * w, u), one - d_step(1.1 * w, 2.4 * w, u)), up);
     return Carried(ahead, stands, splash);

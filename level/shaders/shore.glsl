@@ -191,7 +191,7 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
         if (feels && may_break(u_body.x, f.x, u_shore_width, u_shore_gap + max(u_shore_back, u_shore_width), u_shore_fall)) {
             vec3 sooner = raggedness(xy, wave), q = break_progress(f) + sooner, high = d_mul(tall, along);
             if (away <= nearest) m.progress = q.x;
-            Carried moved = carried(u_body, q, m.breaker, high, sooner, u_shore_width, u_shore_gap, u_shore_back);
+            Carried moved = carried(u_body, q, m.breaker, high, sooner, u_shore_height_m, u_shore_width, u_shore_gap, u_shore_back);
             ahead_m += moved.ahead_m;
             m.splash = max(m.splash, moved.splash.x);
             m.white = max(m.white, white_water(q.x, m.breaker) * max(max(here.x, here.y), here.z));

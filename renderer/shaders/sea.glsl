@@ -116,7 +116,11 @@ void main() {
     // white water is no sheet with a dark side: light comes through it from above
     normal = normalize(normal + vec3(0.0, 0.0, 2.2 * hangs * foam.cover));
 #endif
+#ifdef PLUNGE
+    vec4 land = below(normalize(normal + vec3(0.0, 0.0, 3.0 * hangs)), eye_depth, away);  // bent so far, a ray finds nothing
+#else
     vec4 land = below(normal, eye_depth, away);
+#endif
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
     float depth = land.w * water_cosine(cosine) * abs(to_eye.z);
     float thin = sheet_share(column, land.w);  // at its edge the water blends with what lies below
@@ -128,6 +132,9 @@ void main() {
     vec2 bed_xy = before - to_eye.xy * land.w;
     body *= breadth;
     float face = wave_face(sea, normal, body);
+#ifdef PLUNGE
+    face = max(face, hangs * sea.shore.breaker.leaning.x);
+#endif
     depth += 1.3 * face;
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
     vec2 shade_at = foam_shade_place(before, sea.bed.depth.x);

@@ -56,9 +56,9 @@ float foam_of_shore(float distance_m, float torn) {
 // Foam of a crest that throws its lip (D34): a thin line on its edge while that falls, then all that it falls on.
 float lip_foam(ShoreMasks m, float to_m, float down_m, float tear) {
     float fallen = smoothstep(0.75, 1.5, m.progress), reach_m = mix(0.1, 1.0, fallen) * min(u_shore_width * to_m, 9.0);
-    float wide_m = mix(0.25, 1.6, fallen);
-    float over = 1.0 - smoothstep(-wide_m, wide_m, down_m - reach_m + 4.0 * wide_m * (tear - 0.5));
-    float behind = exp2(min(down_m + mix(0.1, 0.6, fallen), 0.0) / mix(0.22, 1.8, fallen));
+    float wide_m = mix(0.4, 1.6, fallen);
+    float over = 1.0 - smoothstep(-wide_m, wide_m, down_m - reach_m + mix(2.0, 4.0, fallen) * wide_m * (tear - 0.5));
+    float behind = exp2(min(down_m + mix(0.1, 0.6, fallen), 0.0) / mix(0.4, 1.8, fallen));
     return over * behind * white_water(m.progress, m.breaker) * smoothstep(0.02, 0.3, max(m.fall, m.line));
 }
 #endif
@@ -173,7 +173,13 @@ float foam_shade(vec2 at, vec2 painted, vec4 current, float pixel_m) {
 
 // How much of a shore wave stands here, 0 … 1.
 float wave_body(Sea sea, float sharp) {
-    return smoothstep(0.12, 0.8, sea.shore.lift.x / max(u_shore_height_m, 0.1)) * sea.bed.sea.x * u_shore_on * sharp;
+    float stands = smoothstep(0.12, 0.8, sea.shore.lift.x / max(u_shore_height_m, 0.1));
+#ifdef PLUNGE
+    // a lip is as thick on its way down as it was on the crest
+    vec2 shift = vec2(sea.shore.shift_x.x, sea.shore.shift_y.x);
+    stands = max(stands, smoothstep(0.4, 1.4, length(shift)) * sea.shore.breaker.plunging.x);
+#endif
+    return stands * sea.bed.sea.x * u_shore_on * sharp;
 }
 
 // 0 where the bed is so steep that a front would stand on a strip of a metre: the edge of a reef or a bar seen from the
