@@ -71,6 +71,7 @@ class Session(Edits):
         grid = grid or Grid(513, 513)
         level = Level(grid, sloping_beach(grid) if base is None else base, georeference=georeference)
         level.set("clouds.on", True)
+        level.set("shore.plunge", 1.0)
         for camera in cameras(level):
             level.put_object(camera.id, camera)
         session = cls(level, **options)

@@ -118,9 +118,9 @@ def travel(point: Deformed, fronts: Fronts, t: float, noises: list[Dual], passin
         lateral_m = fronts.lateral_m[i] * np.minimum(1, 1 / fronts.length_m[i] / np.maximum(steep, 1e-6))
         theta = 2 * np.pi * (cycles.v + noises[i].v + 0.25 - np.mod(fronts.omega[i] * t / (2 * np.pi), 1.0))
         sin, cos = np.sin(theta), np.cos(theta)
-        slope_x, slope_y = (2 * np.pi * part for part in _through(cycles, point))
+        slope_x, slope_y = (2 * np.pi * part for part in through(cycles, point))
         slope_x, slope_y = slope_x + 2 * np.pi * noises[i].dx, slope_y + 2 * np.pi * noises[i].dy
-        gain = Dual(gain.v, *_through(gain, point))
+        gain = Dual(gain.v, *through(gain, point))
         lateral = Dual(lateral_m * cos, -lateral_m * sin * slope_x, -lateral_m * sin * slope_y) * gain
         high = fronts.amplitude_m[i]
         dz = dz + Dual(high * sin, high * cos * slope_x, high * cos * slope_y) * gain
@@ -128,7 +128,7 @@ def travel(point: Deformed, fronts: Fronts, t: float, noises: list[Dual], passin
     return dx, dy, dz
 
 
-def _through(value: Dual, point: Deformed) -> tuple:
+def through(value: Dual, point: Deformed) -> tuple:
     """How something known at deformed places changes with the undeformed x and y."""
     return value.dx * point.x.dx + value.dy * point.y.dx, value.dx * point.x.dy + value.dy * point.y.dy
 

@@ -82,6 +82,16 @@ class Shore(Section):
     fall: float = param(0.045, 0.005, 1, "", "Length of the falling crest before the front.", soft=(0.01, 0.3))
     height_m: float = param(1.2, 0, 8, "m", "Height of the front where it stands highest.", soft=(0, 2))
     draw_m: float = param(0.14, 0, 4, "m", "How deep the water is drawn down behind a wave.", soft=(0, 1))
+    plunge: float = param(
+        0.0, 0, 1.5, "×", "How far crests steepen and fall over as they break (D34), by slope.", soft=(0, 1)
+    )
+    lip_m: float = param(1.6, 0, 6, "m", "How far ahead the highest crest throws its lip.", soft=(0, 3))
+    breaking_s: float = param(
+        1.5, 0.3, 10, "s", "Time from when the lip leaves the crest until it is down.", soft=(1, 4)
+    )
+    ragged: float = param(
+        0.7, 0, 2, "", "How differently soon a crest breaks along its length, in times of its fall.", soft=(0, 1)
+    )
     fade_in: float = param(0.25, 0.01, 1, "", "Over which part of the range a new front appears.")
     fade_out: float = param(0.06, 0.005, 1, "", "Over which part of the range a spent front disappears.")
     variety: float = param(0.5, 0, 1, "", "How much the height of one wave varies along the shore.")

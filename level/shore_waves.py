@@ -12,12 +12,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from .arrival_map import Passing
+from .breaking import ASHORE_S, BREAK_S, Breaker, breaker_at, carried, feels_s, progress, raggedness, white_water
 from .dual import Dual, positive, step
 from .loop import turns
 from .noise import LATTICE, value_noise
 from .settings import Shore
 
-BREAK_S = 0.78  # where along the range a front stands highest; from there it falls
 POOL_M = 0.2  # how far below the rim before it ground counts as a pool
 LANDING_S = 0.85  # from here to the water line times of arrival become those of the shoreline
 SWASH_S = 0.55  # from here to the water line the level follows the swash
@@ -28,6 +28,8 @@ class ShoreMasks:
     """Masks at some points; `lift` is height over the still sea with its gradient, `edge_s` the water's edge.
 
     `arrived` counts the waves that have passed the still water line: its fraction is the phase of beach and sand (H20).
+    Where waves break (D34) `shift` is how far east and north points are carried, `way` `(2, …)` whereto, `progress`
+    that of the nearest wave and `white` how white the waves are there.
     """
 
     a: np.ndarray
@@ -38,6 +40,10 @@ class ShoreMasks:
     lift: Dual
     edge_s: np.ndarray
     arrived: np.ndarray
+    shift: tuple[Dual, Dual] | None = None
+    way: np.ndarray | None = None
+    progress: np.ndarray | None = None
+    white: np.ndarray | None = None
 
 
 @dataclass(frozen=True)
@@ -49,11 +55,12 @@ class Travel:
     shore: Dual
     height: Dual
     share: float
+    steep: tuple[Dual, Dual] | None = None  # gradient of the lead's arrival, cycles per metre: asked where waves break
 
     @classmethod
-    def of(cls, passing: Passing, bend: Dual, share: float) -> Travel:
+    def of(cls, passing: Passing, bend: Dual, share: float, steep: tuple[Dual, Dual] | None = None) -> Travel:
         """`bend`: how much later noise makes the lead's crests, in cycles (H07)."""
-        return cls(passing.swells[0] + bend, passing.shore + bend, passing.lead_height, share)
+        return cls(passing.swells[0] + bend, passing.shore + bend, passing.lead_height, share, steep)
 
 
 def s_cycles(shore: Shore) -> float:
@@ -102,11 +109,12 @@ def before_waves(shore: Shore, bed: dict[str, Dual]) -> np.ndarray:
 
 def shore_masks(
     shore: Shore, t: float, bed: dict[str, Dual], x, y, sway: Dual, values: np.ndarray, loop_s: float = 0.0,
-    travel: Travel | None = None, later: Dual | None = None,
+    travel: Travel | None = None, later: Dual | None = None, steep: tuple[Dual, Dual] | None = None,
 ) -> ShoreMasks:  # fmt: skip
     """Masks and lift at world points over the bed there (`ShoreMap.at`), with the `sway` there (`BeachMap.at`).
 
     `values` is the level's noise lattice; `travel` says when waves come where that doesn't follow from the depth alone.
+    `steep` is the gradient of the depth, smooth, where waves break (D34).
 
     Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink into
     a hole round each of them.
@@ -123,6 +131,8 @@ def shore_masks(
     nearest = np.full(np.shape(s), 9.0)
     a, b, *masks = np.zeros((5, *np.shape(s)))
     lift = Dual(*np.zeros((3, *np.shape(s))))
+    breaks = _Breaks.begun(shore, s_body, steep, travel)
+    along = _height_along(s_body, travel)
     for u, u_body, f, wave in _fronts(shore, clock, s, s_body, early, travel):
         tall = 1.0 - _wave_noise(shore, clock, values, x, y, wave) * shore.variety
         a_here, b_here, *here = _wave(shore, u, f.v)
@@ -130,7 +140,11 @@ def shore_masks(
         closer = np.abs(u) < nearest
         nearest = np.where(closer, np.abs(u), nearest)
         a, b = np.where(closer, a_here, a), np.where(closer, b_here, b)
-        lift = lift + _body(shore, u_body, f) * tall
+        body = _body(shore, u_body, f)
+        if breaks is not None:
+            sooner = raggedness(shore, values, x, y, _looped(clock, wave))
+            body = breaks.broken(u_body, f, body, tall * along, sooner, here, closer)
+        lift = lift + body * tall
     arrived = _arrived(shore, clock, early, travel)
     run = _swash(shore, clock, arrived, values, x, y)
     edge, rise = 1.0 + shore.runup * run.v, run * (shore.range_m * shore.runup)
@@ -138,13 +152,57 @@ def shore_masks(
     # Behind a rim the swash rises only while it tops the rim; on an open beach drop is 0 and this is 1.
     over = rise + bed["clock"] + (1.0 - step(0.0, POOL_M, drop)) * POOL_M
     level = rise * step(SWASH_S, 1.0, s_body) * step(0.0, POOL_M, over)
-    lift = (lift * _height_along(s_body, travel) * shore.height_m + level) * sea
+    lift = (lift * along * shore.height_m + level) * sea
     on, moving = float(shore.on), float(shore.on and shore.vertex)
     calm = 1.0 - 0.8 * _step(POOL_M, 5 * POOL_M, drop.v)
     line, back, fall = (mask * calm * sea.v * on for mask in masks)
     come = ~before_waves(shore, bed)
     edge_s = 1.0 + (edge - 1.0) * moving * come
-    return ShoreMasks(a * on, b * on, line, back, fall, lift * moving, edge_s, arrived.v * come)
+    masks = ShoreMasks(a * on, b * on, line, back, fall, lift * moving, edge_s, arrived.v * come)
+    if breaks is not None:
+        masks.shift, masks.way = breaks.shift(sea * moving), np.stack([breaks.breaker.east.v, breaks.breaker.north.v])
+        masks.progress, masks.white = breaks.progress, breaks.white * calm * sea.v * on
+    return masks
+
+
+@dataclass
+class _Breaks:
+    """What breaking gathers over the waves about some points (D34)."""
+
+    shore: Shore
+    breaker: Breaker
+    ashore: Dual
+    feels: np.ndarray
+    ahead_m: Dual
+    progress: np.ndarray
+    white: np.ndarray
+
+    @classmethod
+    def begun(cls, shore: Shore, s_body: Dual, steep: tuple | None, travel: Travel | None) -> _Breaks | None:
+        """None where the level's waves don't break, or nobody asks."""
+        if steep is None or shore.plunge <= 0:
+            return None
+        swell, share = (None, 0.0) if travel is None else (travel.steep, travel.share)
+        breaker = breaker_at(shore, s_cycles(shore), steep, swell, share)
+        nothing = np.zeros(np.shape(s_body.v))
+        feels = s_body.v > feels_s(shore, s_cycles(shore))
+        ashore = (1.0 - step(*ASHORE_S, s_body)) * feels
+        return cls(shore, breaker, ashore, feels, Dual(nothing), nothing - 9.0, nothing)
+
+    def broken(self, u: Dual, f: Dual, body: Dual, high: Dual, sooner: Dual, foam: list, closer: np.ndarray) -> Dual:
+        """The body of one wave as it breaks, `sooner` than others; notes how far it is carried, and its foam."""
+        q = progress(self.shore, s_cycles(self.shore), f) + sooner
+        moved = carried(self.shore, u, q, self.breaker, high, sooner)
+        self.ahead_m = self.ahead_m + moved.ahead_m
+        self.progress = np.where(closer, q.v, self.progress)
+        self.white = np.maximum(self.white, white_water(q.v, self.breaker) * np.maximum.reduce(foam) * self.feels)
+        # on land and far out it stands as it is
+        stands = moved.stands + (1.0 - moved.stands) * (1.0 - self.ashore)
+        return body * stands + moved.splash * self.ashore
+
+    def shift(self, weight: Dual) -> tuple[Dual, Dual]:
+        ahead = self.ahead_m * self.ashore * weight
+        return self.breaker.east * ahead, self.breaker.north * ahead
 
 
 def _fronts(shore: Shore, clock: dict, s: np.ndarray, s_body: Dual, early: Dual, travel: Travel | None):
@@ -194,10 +252,14 @@ def _height_along(s: Dual, travel: Travel | None) -> Dual:
     return shape if travel is None else shape + (travel.height - shape) * travel.share
 
 
+def _looped(clock: dict, wave):
+    """Number of a wave among those of the loop."""
+    return np.mod(wave, clock["u_shore_turns"]) if clock["u_shore_turns"] else wave
+
+
 def _wave_noise(shore: Shore, clock: dict, values: np.ndarray, x, y, wave) -> Dual:
     """0 … 1 along the shore for the wave of this number: what it lacks in height and in reach."""
-    if clock["u_shore_turns"]:
-        wave = np.mod(wave, clock["u_shore_turns"])
+    wave = _looped(clock, wave)
     return value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
 
 

@@ -12,9 +12,10 @@ import numpy as np
 from .arrival import arrival, arrival_uniforms, shore_at
 from .arrival_map import ArrivalMap
 from .beach_map import NO_BEACH_M, beach_map
+from .breaking import breaking_uniforms, feels_s, overhang_m
 from .dual import Dual, step
 from .force import ForceField
-from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, travel
+from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, through, travel
 from .level import Level
 from .loop import moment
 from .noise import lattice
@@ -22,7 +23,9 @@ from .patches import beach_contact, patch_shore, patch_uniforms
 from .pins import later, pin_uniforms, pinned
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
-from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, shore_masks, uprush
+from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cycles, shore_masks, uprush
+from .spline import second_order
+from .uncarried import Moved, uncarried
 from .wave_lists import counted, wave_regions
 from .wave_objects import HIGH, LOW, circle_weight, most_height_m, object_uniforms, objects_shift
 from .wave_regions import ahead, front_rows, most_amplitude, region_fronts, region_uniforms
@@ -105,6 +108,33 @@ def _under(level: Level, bed: dict[str, Dual], sand: Dual) -> np.ndarray:
     return np.where((bed["sea"].v > 0) & shore.slide & ~deep, sand.v - level.tide_m, NO_BEACH_M)
 
 
+@dataclass
+class _Shore:
+    """The shore waves at some points that the offshore waves have carried: bed, sand and masks there."""
+
+    bed: dict[str, Dual]
+    sand: Dual
+    masks: ShoreMasks
+
+
+def _shore_waves(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap | None, x, y) -> _Shore:
+    shore, settings = shore_map(level), level.settings
+    bed = shore.at(x, y, level.tide_m)
+    bed["within"] = bed["within"] * patch_shore(level, x, y)
+    sand, sway = beach_map(level).at(x, y)
+    breaks, share, late = settings.shore.plunge > 0, settings.timing.share, later(level, t, x, y)
+    way = None
+    if made is not None:
+        bend = later(level, t, x, y, phase_noise(settings.sea, fronts[-1], 0, x, y))
+        way = Travel.of(made.at(x, y), bend, share, made.steep(x, y) if breaks else None)
+    steep = second_order(shore.packed[..., 3], shore.cell_m, x, y) if breaks else None
+    values, loop_s = lattice(settings.level.seed), settings.time.loop_s
+    masks = shore_masks(
+        shore_at(level, t), t, bed, x, y, sway, values, loop_s, way, late * (1 - share), steep
+    )  # fmt: skip
+    return _Shore(bed, sand, masks)
+
+
 def _normal(point: Deformed, slope_x: np.ndarray, slope_y: np.ndarray) -> np.ndarray:
     """From how position and height change with the undeformed x and y (H29)."""
     east = np.stack(np.broadcast_arrays(point.x.dx, point.y.dx, slope_x), -1)
@@ -123,19 +153,12 @@ def surface_at(
     level, loop_s = level_at(level, t), level.settings.time.loop_s
     t = moment(t, loop_s)
     x, y = np.broadcast_arrays(np.asarray(before_x, np.float64), np.asarray(before_y, np.float64))
-    shore, values = shore_map(level), lattice(level.settings.level.seed)
+    shore = shore_map(level)
     fronts, made = fronts_at(level, t)[1 if skip_chop else 0 :], arrival(level, t)
     point, weight = _offshore(level, shore, fronts, made, t, x, y)
     after_x, after_y = point.x.v, point.y.v
-    bed = shore.at(after_x, after_y, level.tide_m)
-    bed["within"] = bed["within"] * patch_shore(level, after_x, after_y)
-    sand, sway = beach_map(level).at(after_x, after_y)
-    way, share = None, level.settings.timing.share
-    late = later(level, t, after_x, after_y)
-    if made is not None:
-        bend = later(level, t, after_x, after_y, phase_noise(level.settings.sea, fronts[-1], 0, after_x, after_y))
-        way = Travel.of(made.at(after_x, after_y), bend, share)
-    masks = shore_masks(shore_at(level, t), t, bed, after_x, after_y, sway, values, loop_s, way, late * (1 - share))
+    here = _shore_waves(level, t, fronts, made, after_x, after_y)
+    bed, sand, masks = here.bed, here.sand, here.masks
     lift = masks.lift
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
@@ -145,10 +168,21 @@ def surface_at(
     up_x, up_y = (wave + held * (land - wave) for wave, land in ((lift.dx, sand.dx), (lift.dy, sand.dy)))
     slope_x = (1 - held) * point.z.dx + up_x * point.x.dx + up_y * point.y.dx
     slope_y = (1 - held) * point.z.dy + up_x * point.x.dy + up_y * point.y.dy
+    point = _carried_on(point, masks.shift)
     return SeaSample(
-        after_x, after_y, level.sea_level_m + point.z.v + lift.v - held * sheet, _normal(point, slope_x, slope_y), x, y,
+        point.x.v, point.y.v, level.sea_level_m + point.z.v + lift.v - held * sheet,
+        _normal(point, slope_x, slope_y), x, y,
         weight.v, masks, bed["depth"].v, bed["clock"].v, sheet,
     )  # fmt: skip
+
+
+def _carried_on(point: Deformed, shift: tuple[Dual, Dual] | None) -> Deformed:
+    """A point carried by the shore wave that breaks there (H23); `shift` by where the offshore waves took it."""
+    if shift is None:
+        return point
+    x = point.x + Dual(shift[0].v, *through(shift[0], point))
+    y = point.y + Dual(shift[1].v, *through(shift[1], point))
+    return Deformed(x, y, point.z)
 
 
 def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceField | None = None) -> SeaSample:
@@ -160,6 +194,8 @@ def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceFi
     x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
     shore = shore_map(level)
     fronts, made = fronts_at(level, t)[1 if skip_chop else 0 :], arrival(level, t)
+    if level.settings.shore.plunge > 0:
+        x, y = _before_breaking(level, t, fronts, made, x, y)
     before_x, before_y = x.copy(), y.copy()
     for _ in range(INVERSIONS):
         point, _ = _offshore(level, shore, fronts, made, t, before_x, before_y)
@@ -168,6 +204,25 @@ def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceFi
         if max(np.abs(off_x).max(initial=0), np.abs(off_y).max(initial=0)) < 1e-6:
             break
     return surface_at(level, t, before_x, before_y, skip_chop, force)
+
+
+def _before_breaking(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap | None, x, y):
+    """Where shore waves that break carry world points from (H23). Under a lip there are three: the highest is taken."""
+    shape, at, shore = x.shape, np.stack([x.ravel(), y.ravel()]), shore_at(level, t)
+    bed = shore_map(level).at(*at, level.tide_m)
+    s = 1.0 - bed["smoothed"].v / shore.range_m
+    near = (s > feels_s(shore, s_cycles(shore))) & (s < 1 + shore.runup) & ~before_waves(shore, bed)
+    if not near.any():
+        return x, y
+
+    times = np.broadcast_to(t, shape).ravel()[near] if np.ndim(t) else t
+
+    def carried(at: np.ndarray) -> Moved:
+        masks = _shore_waves(level, times, fronts, made, *at).masks
+        return Moved(masks.shift, masks.way, masks.lift.v)
+
+    at[:, near] = uncarried(carried, at[:, near], overhang_m(shore))
+    return at[0].reshape(shape), at[1].reshape(shape)
 
 
 def sea_height_m(level: Level) -> float:
@@ -222,11 +277,12 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_shore_slide": float(shore.slide),
         **object_uniforms(level, t),
         **region_uniforms(level, groups, sea.phase_noise, t),
+        **breaking_uniforms(shore, s_cycles(shore)),
     }
 
 
 def wave_defines(level: Level) -> dict[str, str]:
-    """What the level's GLSL is compiled with for its objects; without any it is what it was."""
+    """What the level's GLSL is compiled with for what it has; without that it is what it was."""
     asked = {"WAVE_OBJECTS": bool(counted(level)[0]), "WAVE_REGIONS": bool(wave_regions(level)),
-             "PINS": bool(pinned(level))}  # fmt: skip
+             "PINS": bool(pinned(level)), "PLUNGE": level.settings.shore.plunge > 0}  # fmt: skip
     return {name: "" for name, on in asked.items() if on}

@@ -104,6 +104,9 @@ VIEWS: dict[str, View] = {
         View("wave_b", "Wave B", "The front smoothstep of the nearest front.", _MASK("sea.shore.b"), ids="D03"),
         View("wave_line", "Wave line", "A − B: the front line.", _MASK("sea.shore.line"), ids="D03 D04"),
         View("wave_back", "Wave back", "Behind the line, trailing seaward.", _MASK("sea.shore.back"), ids="D04"),
+        View("breaking", "Breaking", "How waves break: orange they plunge, blue they spill, grey they surge; brighter "
+             "the further they have broken, white where they are white.", "on_sea * breaking_colour(sea)", "direct",
+             ids="D34 H23", settings=(("shore.plunge", 1.0),)),
         View("crest_fall", "Crest fall", "Foam that falls over the shoreward face.",
              _MASK("sea.shore.fall"), ids="D04"),
         View("shore_lift", "Shore lift", "Height the shore waves add.",

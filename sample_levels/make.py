@@ -26,6 +26,7 @@ COVE_CAMERAS = [
 COVE_SETTINGS = {
     "level.seed": SEED,
     "shore.interval_s": 8.0,
+    "shore.plunge": 1.0,
     "shore.height_m": 1.2,
     "shore.variety": 0.6,
     "shore.runup_variety": 0.45,
@@ -47,6 +48,7 @@ ISLAND_SETTINGS = {
     "level.seed": SEED + 4,
     "shore.range_m": 4.0,
     "shore.interval_s": 7.0,
+    "shore.plunge": 1.0,
     "shore.height_m": 0.9,
     "shore.variety": 0.6,
     "shore.runup_variety": 0.45,

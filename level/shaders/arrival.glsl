@@ -39,8 +39,10 @@ void arrival_block(ivec2 texel, vec2 t, out vec4 value, out vec4 dx, out vec4 dy
     }
 }
 
+ivec2 arrival_size() { return textureSize(u_arrival, 0) / ivec2(1, 2); }
+
 Passing passing_at(vec2 xy) {
-    ivec2 size = textureSize(u_arrival, 0) / ivec2(1, 2);
+    ivec2 size = arrival_size();
     vec2 at = xy / u_arrival_cell_m, inside = clamp(at, vec2(0.0), vec2(size - 1));
     vec2 texel = clamp(floor(inside + 0.5), vec2(1.0), vec2(size - 2)), out_m = (at - inside) * u_arrival_cell_m;
     vec4 times, times_x, times_y, heights, heights_x, heights_y;

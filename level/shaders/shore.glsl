@@ -4,6 +4,7 @@
 #include "level/gerstner.glsl"
 #include "level/bed.glsl"
 #include "level/beach.glsl"
+#include "level/breaking.glsl"
 
 uniform float u_shore_clock;    // fract(t / travel), in cycles
 uniform int u_shore_cycle;
@@ -14,7 +15,6 @@ uniform float u_shore_height_m, u_shore_draw_m, u_shore_fade_in, u_shore_fade_ou
 uniform float u_shore_variety, u_shore_variety_m, u_shore_runup_variety, u_shore_stagger, u_shore_uprush;
 uniform float u_shore_on, u_shore_vertex;
 
-const float BREAK_S = 0.78;
 const float SWASH_S = 0.55;
 const float LANDING_S = 0.85;  // from here to the water line times of arrival become those of the shoreline
 const float POOL_M = 0.2;  // how far below the rim before it ground counts as a pool
@@ -26,6 +26,11 @@ struct ShoreMasks {
     float s;
     float front;  // s of the nearest front
     float arrived;  // swash_arrived there
+#ifdef PLUNGE
+    vec3 shift_x, shift_y;  // duals: how far waves that break carry it east and north, m (D34)
+    float progress, white, splash;  // of the nearest wave; how white the waves are here; what splashes up, 0 … 1
+    Breaker breaker;
+#endif
 };
 
 float shore_fade(float f) {
@@ -137,7 +142,11 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     // into a hole round each of them.
     float s = 1.0 - bed.clock.x / u_shore_range_m;
     vec3 s_body = d_const(1.0) - bed.smoothed / u_shore_range_m;
+#ifdef PLUNGE
+    ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0, 0.0, vec3(0.0), vec3(0.0), -9.0, 0.0, 0.0, NO_BREAKER);
+#else
     ShoreMasks m = ShoreMasks(0.0, 0.0, 0.0, 0.0, 0.0, vec3(0.0), 1.0, s, 9.0, 0.0);
+#endif
     if (before_waves(bed)) return m;
     vec3 early = shore_early(xy, sway);
     int waves = u_shore_count;
@@ -157,6 +166,15 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     vec3 sea = d_mul(bed.sea, bed.within);
     vec3 masks = vec3(0.0);
     float nearest = 9.0;
+    vec3 along = shore_height_along(s_body);
+#ifdef TRAVEL_TIME
+    along += (passing.lead_height - along) * u_arrival_share;
+#endif
+#ifdef PLUNGE
+    bool feels = s_body.x > u_shore_feels_s;
+    vec3 ashore = feels ? d_const(1.0) - d_step(ASHORE_S.x, ASHORE_S.y, s_body) : vec3(0.0), ahead_m = vec3(0.0);
+    if (feels) m.breaker = breaker_at(xy, s_cycles(), u_shore_range_m, u_shore_width);
+#endif
     for (int k = 0; k < waves; ++k) {
 #ifdef TRAVEL_TIME
         vec3 u_body = (d_const(last + 1.0 - float(k)) - since) / s_cycles(), f = s_body - u_body;
@@ -181,7 +199,20 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
             m.b = b;
             m.front = f.x;
         }
-        m.lift += d_mul(shore_body(u_body, f), tall);
+        vec3 body = shore_body(u_body, f);
+#ifdef PLUNGE
+        if (feels && may_break(u_body.x, f.x, u_shore_width, u_shore_gap + max(u_shore_back, u_shore_width), u_shore_fall)) {
+            vec3 sooner = raggedness(xy, looped_wave(wave)), q = break_progress(f) + sooner, high = d_mul(tall, along);
+            if (away <= nearest) m.progress = q.x;
+            Carried moved = carried(u_body, q, m.breaker, high, sooner, u_shore_height_m, u_shore_width, u_shore_gap, u_shore_back);
+            ahead_m += moved.ahead_m;
+            m.splash = max(m.splash, moved.splash.x);
+            m.white = max(m.white, white_water(q.x, m.breaker) * max(max(here.x, here.y), here.z));
+            vec3 stands = moved.stands + d_mul(d_const(1.0) - moved.stands, d_const(1.0) - ashore);
+            body = d_mul(body, stands) + d_mul(moved.splash, ashore);
+        }
+#endif
+        m.lift += d_mul(body, tall);
     }
     vec3 drop = bed.depth - bed.clock;  // how far the bed lies below the rim that its waves came over
     masks *= (1.0 - 0.8 * smoothstep(POOL_M, 5.0 * POOL_M, drop.x)) * sea.x * u_shore_on;
@@ -190,10 +221,6 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     m.fall = masks.z;
     m.a *= u_shore_on;
     m.b *= u_shore_on;
-    vec3 along = shore_height_along(s_body);
-#ifdef TRAVEL_TIME
-    along += (passing.lead_height - along) * u_arrival_share;
-#endif
     m.lift = d_mul(m.lift, along) * u_shore_height_m;
     vec3 run = shore_swash(xy, arrived);
     vec3 rise = run * (u_shore_range_m * u_shore_runup);
@@ -202,6 +229,12 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     vec3 level = d_mul(d_mul(rise, d_step(SWASH_S, 1.0, s_body)), d_step(0.0, POOL_M, over));
     float moving = u_shore_on * u_shore_vertex;
     m.lift = d_mul(m.lift + level, sea) * moving;
+#ifdef PLUNGE
+    ahead_m = d_mul(d_mul(ahead_m, ashore), sea) * moving;
+    m.shift_x = d_mul(m.breaker.east, ahead_m);
+    m.shift_y = d_mul(m.breaker.north, ahead_m);
+    m.white *= (1.0 - 0.8 * smoothstep(POOL_M, 5.0 * POOL_M, drop.x)) * sea.x * u_shore_on;
+#endif
     m.edge_s = 1.0 + u_shore_runup * run.x * moving;
     return m;
 }

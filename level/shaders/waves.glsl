@@ -46,6 +46,13 @@ Sea sea_surface(vec2 before) {
     float held = sheet < 0.0 ? beach_contact(after).x : 0.0;  // H10: the higher of the two, with its slope
     vec2 up = mix(lift.yz, beach.sand.yz, held);
     vec2 slope = (1.0 - held) * p.z.yz + vec2(dot(up, vec2(p.x.y, p.y.y)), dot(up, vec2(p.x.z, p.y.z)));
+#ifdef PLUNGE
+    // the body is carried on along the way of its wave (H23): d world / d before = (1 + d shift / d after) · d after / d before
+    vec2 p_x = p.x.yz, p_y = p.y.yz;
+    p.x.yz += shore.shift_x.y * p_x + shore.shift_x.z * p_y;
+    p.y.yz += shore.shift_y.y * p_x + shore.shift_y.z * p_y;
+    after += vec2(shore.shift_x.x, shore.shift_y.x);
+#endif
     vec3 normal = normalize(cross(vec3(p.x.y, p.y.y, slope.x), vec3(p.x.z, p.y.z, slope.y)));
     return Sea(vec3(after, u_sea_level_m + rise - held * sheet), normal, before,
                clamp(rise / u_wave_height_m, -1.0, 1.0), weight.x, shore, bed, sheet);

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from ...level.breaking import overhang_m
 from ...level.flow import current
 from ...level.patches import BASE_M, PATCH_M, Circle, extents, in_mesh
 from ...level.waves import largest_height_m
@@ -92,8 +93,14 @@ def sea_chunks(frame: Frame, extent: Extent) -> tuple[Lod, View, np.ndarray]:
     lod = Lod(cell_m, CHUNK, max(near, HULL_REACH), area, falloff=sea.falloff)
     top = 2 * largest_height_m(frame.level)
     above = abs(frame.matrices.position[2] - frame.level.sea_level_m)
-    view = View(frame.matrices.position, frame.matrices.planes, max(above - top, 0.0))
+    planes = frame.matrices.planes + np.array([0.0, 0.0, 0.0, _sideways_m(frame)])
+    view = View(frame.matrices.position, planes, max(above - top, 0.0))
     return lod, view, select(lod, view, _heights(frame, extent, cell_m, top))
+
+
+def _sideways_m(frame: Frame) -> float:
+    """How far breaking waves leave their chunk."""
+    return overhang_m(frame.level.settings.shore)
 
 
 def _heights(frame: Frame, extent: Extent, cell_m: float, top: float):
@@ -156,7 +163,7 @@ def _tess_uniforms(frame: Frame) -> dict:
     return {
         "u_planes": np.array(frame.matrices.planes, np.float32),
         "u_tess": (parts / BASE_M, min(parts, MOST_SOFTWARE_PARTS) if software(frame.renderer.ctx) else parts),
-        "u_sea_top_m": 2 * largest_height_m(frame.level),
+        "u_sea_top_m": 2 * largest_height_m(frame.level) + _sideways_m(frame),
     }
 
 

@@ -95,6 +95,12 @@ void main() {
     vec2 shown = sea.deep * sharp.x * vec2(1.0, sharp.y);
     float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled + rings.z;
     vec3 normal = normalize(vec3(-slope, 1.0));
+#ifdef PLUNGE
+    // a face that stands upright or hangs over is no slope (H23)
+    vec3 hanging = normalize(sea.normal - vec3(rippled * ripple.xy, 0.0));
+    float hangs = (1.0 - smoothstep(0.25, 0.6, sea.normal.z)) * sharp.x;
+    normal = normalize(mix(normal, hanging, hangs));
+#endif
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
@@ -106,7 +112,15 @@ void main() {
     float face_m = min(pixel_m, pixel_metres(relative, sea.normal));
     Foam foam = sea_foam(sea, on_face(before, sea), column, sharp.x, painted, current, u_show_procedural_foam, face_m);
 
+#ifdef PLUNGE
+    // white water is no sheet with a dark side: light comes through it from above
+    normal = normalize(normal + vec3(0.0, 0.0, 2.2 * hangs * foam.cover));
+#endif
+#ifdef PLUNGE
+    vec4 land = below(normalize(normal + vec3(0.0, 0.0, 3.0 * hangs)), eye_depth, away);  // bent so far, a ray finds nothing
+#else
     vec4 land = below(normal, eye_depth, away);
+#endif
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
     float depth = land.w * water_cosine(cosine) * abs(to_eye.z);
     float thin = sheet_share(column, land.w);  // at its edge the water blends with what lies below
@@ -118,6 +132,9 @@ void main() {
     vec2 bed_xy = before - to_eye.xy * land.w;
     body *= breadth;
     float face = wave_face(sea, normal, body);
+#ifdef PLUNGE
+    face = max(face, hangs * sea.shore.breaker.leaning.x);
+#endif
     depth += 1.3 * face;
     vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
     vec2 shade_at = foam_shade_place(before, sea.bed.depth.x);

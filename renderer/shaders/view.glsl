@@ -89,6 +89,18 @@ vec4 foam_density(vec2 before, float pixel_m) {
     return foam_fields(before, current_at(before).rg, u_sun_direction.xy, lod, lee);
 }
 
+// By type orange, blue or grey, told apart by everyone; by progress from dark to bright, white water pale (D34).
+vec3 breaking_colour(Sea sea) {
+#ifdef PLUNGE
+    ShoreMasks m = sea.shore;
+    vec3 type = mix(mix(vec3(0.60), vec3(0.0, 0.45, 0.85), min(m.breaker.leaning.x / SPILLED, 1.0)), vec3(0.95, 0.55, 0.0), m.breaker.plunging.x);
+    float waves = max(max(m.line, m.back), m.fall), grown = smoothstep(STEEPENS, 1.5, m.progress);
+    return mix(type * (0.10 + 0.75 * waves * grown), vec3(1.0), 0.8 * m.white);
+#else
+    return vec3(0.0);
+#endif
+}
+
 float shade_of_foam(Sea sea, Surface s) {
     vec2 at = foam_shade_place(s.before, sea.bed.depth.x);
     return foam_shade(at, layer_at(u_layer_foam, at, u_cell_m).rg, current_at(at), s.eye_depth * u_pixel_angle);

@@ -98,6 +98,11 @@ Sea sea_found(bool exact, inout vec3 relative, inout vec2 before) {
     Sea sea;
     for (int i = 0; i < 3 + REFINEMENTS + STEPS + BEYOND + CLOSER; ++i) {
         sea = sea_surface(before);
+#ifdef PLUNGE
+        // where a crest falls over, a ray meets it more than once: the mesh knows which one is in front
+        if (i == 0 && dot(vec2(sea.shore.shift_x.x, sea.shore.shift_y.x), vec2(sea.shore.shift_x.x, sea.shore.shift_y.x)) > 0.0025)
+            s.stage = KEEP;
+#endif
         if (!exact || s.stage == KEEP) break;
         vec3 point = start + along * s.way;
         vec2 off = point.xy + u_camera.xy - sea.position.xy;

@@ -52,6 +52,17 @@ float foam_of_shore(float distance_m, float torn) {
     return u_foam_shore * near * near * torn * smoothstep(-FOAM_ASHORE_M, 0.5 * FOAM_ASHORE_M, distance_m);
 }
 
+#ifdef PLUNGE
+// Foam of a crest that throws its lip (D34): a thin line on its edge while that falls, then all that it falls on.
+float lip_foam(ShoreMasks m, float to_m, float down_m, float tear) {
+    float fallen = smoothstep(0.75, 1.5, m.progress), reach_m = mix(0.1, 1.0, fallen) * min(u_shore_width * to_m, 9.0);
+    float wide_m = mix(0.4, 1.6, fallen);
+    float over = 1.0 - smoothstep(-wide_m, wide_m, down_m - reach_m + mix(2.0, 4.0, fallen) * wide_m * (tear - 0.5));
+    float behind = exp2(min(down_m + mix(0.1, 0.6, fallen), 0.0) / mix(0.4, 1.8, fallen));
+    return over * behind * white_water(m.progress, m.breaker) * smoothstep(0.02, 0.3, max(m.fall, m.line));
+}
+#endif
+
 // Foam on high water (H18): height against the largest possible sum.
 float foam_of_height(float height01) {
     return u_foam_height * smoothstep(u_foam_height_low, max(u_foam_height_high, u_foam_height_low + 1e-3), height01);
@@ -95,14 +106,29 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     float patches = foam_patches(before, pixel_m, near);
     float torn = smoothstep(0.30, 0.70, patches);
     float broken = smoothstep(BREAKS_S, BROKEN_S, m.s + 0.30 * (patches - 0.5));
+    float rolling = broken, plunging = 0.0, whole = 0.0;
+#ifdef PLUNGE
+    // foam and shape of a wave are one (D34): it starts at the lip, where that comes down the water stays white
+    whole = min(u_shore_plunge, 1.0);
+    rolling = mix(broken, white_water(m.progress, m.breaker), whole);
+    plunging = whole * m.breaker.plunging.x;
+    vec2 down = BREAK_S + mix(vec2(-0.8, 1.6), vec2(0.5, 1.5), plunging) / u_shore_break_rate;
+    broken = mix(broken, smoothstep(down.x, down.y, m.s + 0.06 * (patches - 0.5)), whole);
+#endif
     float steep = max(length(sea.bed.smoothed.yz), 0.015);
     float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
     // behind a bar or a rim the wave has spent itself: no crest falls there, no sheet runs up
     float open = 1.0 - smoothstep(0.5 * POOL_M, 2.5 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
     float runs_up = 1.0 - smoothstep(POOL_M, 4.0 * POOL_M, sea.bed.depth.x - sea.bed.clock.x);
-    // on a flat a front is as wide as the flat: torn there, whole where the bed is steep
-    open *= mix(0.15 + 0.75 * torn * patches, 1.0, smoothstep(0.012, 0.05, length(sea.bed.smoothed.yz)));
-    float crest = open * crest_foam(m, to_m, down_m, broken, patches);
+    // on a flat a front is as wide as the flat: torn there, whole where the bed is steep or it has steepened itself
+    float narrow = max(smoothstep(0.012, 0.05, length(sea.bed.smoothed.yz)), 0.75 * whole);
+    open *= mix(0.15 + 0.75 * torn * patches, 1.0, narrow);
+    float crest = crest_foam(m, to_m, down_m, rolling, patches);
+#ifdef PLUNGE
+    float splash = smoothstep(0.02, 0.22, m.splash + 0.25 * (patches - 0.5) * step(0.005, m.splash));
+    crest = mix(crest, max(lip_foam(m, to_m, down_m, patches), 0.9 * splash), plunging);
+#endif
+    crest *= open;
     float back = max(m.back, m.line) * broken;
     float wake = back * back * back * (0.06 + 0.50 * torn) * (0.45 + 0.55 * exp2(min(down_m, 0.0) / 7.0));
     // the sheet: dense while it runs up, lace whose holes grow while it drains
@@ -149,7 +175,13 @@ float foam_shade(vec2 at, vec2 painted, vec4 current, float pixel_m) {
 
 // How much of a shore wave stands here, 0 … 1.
 float wave_body(Sea sea, float sharp) {
-    return smoothstep(0.12, 0.8, sea.shore.lift.x / max(u_shore_height_m, 0.1)) * sea.bed.sea.x * u_shore_on * sharp;
+    float stands = smoothstep(0.12, 0.8, sea.shore.lift.x / max(u_shore_height_m, 0.1));
+#ifdef PLUNGE
+    // a lip is as thick on its way down as it was on the crest
+    vec2 shift = vec2(sea.shore.shift_x.x, sea.shore.shift_y.x);
+    stands = max(stands, smoothstep(0.4, 1.4, length(shift)) * sea.shore.breaker.plunging.x);
+#endif
+    return stands * sea.bed.sea.x * u_shore_on * sharp;
 }
 
 // 0 where the bed is so steep that a front would stand on a strip of a metre: the edge of a reef or a bar seen from the
