@@ -31,6 +31,8 @@ COVE_SETTINGS = {
     "shore.variety": 0.6,
     "shore.runup_variety": 0.45,
     "shore.stagger": 0.3,
+    "timing.source": "travel_time",
+    "sea.swell_length_m": 80.0,
     "sea.swell_heading_deg": 12.0,
     "clouds.on": True,
     "weather.coverage": 0.38,

@@ -26,6 +26,7 @@ class Shot:
     view: str = "final"
     size: str = "1280x720"
     settings: dict = field(default_factory=dict)
+    fronts: str = ""
 
 
 EVENING = {
@@ -200,22 +201,45 @@ def draw(shot: Shot, folder: Path) -> int:
     path.parent.mkdir(parents=True, exist_ok=True)
     sets = [word for key, value in shot.settings.items() for word in ("--set", f"{key}={value}")]
     light = ["--environment", shot.environment] if shot.environment else []
+    fronts = ["--fronts", shot.fronts] if shot.fronts else []
     return shorewright(
         ["render", str(level), "-o", str(path), "--camera", shot.camera, "--view", shot.view,
-         "--time", str(shot.time_s), "--size", shot.size, "--samples", "4", *light, *sets]
+         "--time", str(shot.time_s), "--size", shot.size, "--samples", "4", *light, *fronts, *sets]
     )  # fmt: skip
 
 
-def main() -> int:
-    """Draw every shot and sheet into docs/pictures and print the path of each, one a line."""
-    from cloud_pictures import CLOUDS  # it takes Shot from here
+def draw_maps(maps, folder: Path) -> int:
+    """The picture that `shorewright timing` makes of a level, into docs/pictures/timing."""
+    from shorewright.app.cli import main as shorewright
 
+    for name, title, flags in maps:
+        level = level_of(name, folder)
+        if level is None:
+            continue
+        made = folder / f"timing-{title}"
+        code = shorewright(["timing", str(level), "-o", str(made), *flags])
+        if code:
+            return code
+        shutil.copy(made / "timing.png", PICTURES / "timing" / f"map-{title}.png")
+    return 0
+
+
+def main() -> int:
+    """Draw every shot and sheet into docs/pictures and print the path of each, one a line; or those named."""
+    from cloud_pictures import CLOUDS  # they take Shot from here
+    from timing_pictures import MAPS, TIMING
+
+    wanted = sys.argv[1:]  # parts of names; none: all
     with tempfile.TemporaryDirectory() as folder:
-        for shot in (*SHOTS, *ROWS, *SEA, *MOODS, *CLOUDS):
+        for shot in (*SHOTS, *ROWS, *SEA, *MOODS, *CLOUDS, *TIMING):
+            if wanted and not any(part in shot.name for part in wanted):
+                continue
             code = draw(shot, Path(folder))
             if code:
                 return code
-        return draw_sheets(Path(folder))
+        if wanted:
+            return 0
+        return draw_maps(MAPS, Path(folder)) or draw_sheets(Path(folder))
 
 
 if __name__ == "__main__":
