@@ -1,4 +1,4 @@
-"""What docs/timing.md shows: fronts read on the water, a coast before and after its fronts were shaped, Pyramid Rock."""
+"""What docs/timing.md shows: fronts read on the water, a coast before and after shaping, Pyramid Rock."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from pictures import LAYER, SMALL, Shot
 
 BAY = "470,560,130,182,-42"
 SURF = "560,440,30,262,-18"
+TIDE = {"tide.on": True, "tide.range_m": 2.4, "tide.period_s": 600.0}
 OCEAN = {"timing.source": "travel_time", "sea.swell_length_m": 90.0, "sea.swell_heading_deg": 200.0}
 DEPTH = {"timing.source": "depth"}
 TIMING = (
@@ -19,10 +20,10 @@ TIMING = (
     Shot("timing/rock", "rock", "survey", size=SMALL, fronts="crests", settings=OCEAN),
     Shot("timing/breaking", "cove", SURF, view="breaking", size=LAYER),
     Shot("timing/surf", "cove", SURF, size=LAYER),
-    Shot("timing/tide_band", "cove", BAY, view="tide_band", size=LAYER, settings={"tide.on": True, "tide.range_m": 2.0}),
+    Shot("timing/tide_band", "cove", BAY, view="tide_band", size=LAYER, settings=TIDE),
     *(
         Shot(f"timing/tide-{name}", "cove", BAY, 14.0, size=LAYER,
-             settings={"tide.on": True, "tide.range_m": 2.4, "tide.period_s": 600.0, "tide.high_s": high_s})
+             settings={**TIDE, "tide.high_s": high_s})
         for name, high_s in (("high", 14.0), ("low", 314.0))
     ),
 )  # fmt: skip
