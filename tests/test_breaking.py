@@ -193,6 +193,51 @@ def test_foam_and_shape_of_one_wave_change_little_from_frame_to_frame(source):
     assert white[-1].max() < 0.7 * white[peak].max()
 
 
+def test_times_of_breaking_run_on_through_the_break():
+    """D34: seconds since the break grow by as much as the wave takes, before it breaks as after."""
+    level = breaking_beach(source="travel_time")
+    made, y = arrival(level, 0.0), np.linspace(60.0, 124.0, 400)
+    x = np.full_like(y, 32.0)
+    breaks, cycles = made.breaks(x, y), made.at(x, y).swells[0].v
+    near = np.abs(breaks.since_s.v) < 6.0
+    assert near.sum() > 80
+    breaks_at = (cycles * made.period_s[0] - breaks.since_s.v)[near]
+    assert np.ptp(breaks_at) < 0.25
+    assert breaks.shows.v[near].min() > 0.97
+    broke = y[np.argmin(np.abs(breaks.since_s.v))]
+    high_m = made.at(np.array([32.0]), np.array([broke])).lead_height.v[0] * level.settings.shore.height_m
+    assert high_m / ((128 - broke) * 0.08) == pytest.approx(level.settings.timing.breaker, rel=0.15)
+    assert breaks.similarity.v[near] == pytest.approx(0.08 * iribarren(shore_at(level, 0.0)), rel=0.25)
+    # the gradient is that of the values
+    h = 1e-4
+    there = (made.breaks(x, y + h).since_s.v - made.breaks(x, y - h).since_s.v) / (2 * h)
+    assert breaks.since_s.dy == pytest.approx(there, abs=1e-3)
+
+
+@pytest.mark.parametrize("breaking_s", [0.8, 2.0])
+@pytest.mark.parametrize("source", ["depth", "travel_time"])
+def test_a_lip_is_down_after_the_time_of_breaking(source, breaking_s):
+    """D34: from where the lip leaves the crest until it is down a wave takes `shore.breaking_s`, in either source."""
+    level = breaking_beach(source=source)
+    level.set("shore.breaking_s", breaking_s)
+    interval_s, y = shore_at(level, 0.0).interval_s, np.linspace(66, 134, 1361)
+    cycles = np.maximum.accumulate(arrival_along(level, y))
+    times = np.arange(*np.interp([90.0, 130.0], y, cycles), 1 / 30 / interval_s)
+    crest = np.interp(times, cycles, y)
+    progress = [surface_at(level, now * interval_s, np.array([32.0]), np.array([at])).shore.progress[0]
+                for now, at in zip(times, crest, strict=True)]  # fmt: skip
+    left, down = np.interp([0.0, 1.0], progress, times) * interval_s
+    assert down - left == pytest.approx(breaking_s, rel=0.06)
+
+
+def test_water_that_never_breaks_knows_of_no_break():
+    """D34: over a deep bed no lip is thrown by times of travel."""
+    level = breaking_beach(source="travel_time", slope=0.0)
+    level.set("level.sea_level_m", 30.0)
+    at = np.random.default_rng(3).uniform((5, 70), (60, 130), (500, 2)).T
+    assert np.abs(arrival(level, 0.0).breaks(*at).shows.v).max() < 1e-6
+
+
 @pytest.mark.gl
 @pytest.mark.parametrize("source", SOURCES)
 @pytest.mark.parametrize("t", [0.0, 7 * 86_400.0])

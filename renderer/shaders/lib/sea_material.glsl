@@ -112,8 +112,9 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     whole = min(u_shore_plunge, 1.0);
     rolling = mix(broken, white_water(m.progress, m.breaker), whole);
     plunging = whole * m.breaker.plunging.x;
-    vec2 down = BREAK_S + mix(vec2(-0.8, 1.6), vec2(0.5, 1.5), plunging) / u_shore_break_rate;
-    broken = mix(broken, smoothstep(down.x, down.y, m.s + 0.06 * (patches - 0.5)), whole);
+    vec2 down = mix(vec2(-0.8, 1.6), vec2(0.5, 1.5), plunging);
+    float torn_here = m.breaker.here.x + 0.06 * (patches - 0.5) * u_shore_break_rate;
+    broken = mix(broken, smoothstep(down.x, down.y, torn_here) * m.breaker.shows.x, whole);
 #endif
     float steep = max(length(sea.bed.smoothed.yz), 0.015);
     float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
