@@ -282,6 +282,10 @@ def test_shader_and_twin_agree_on_waves_that_break(ctx, t, source):
     assert np.abs(got[:, 0] - want.x).max() < 2e-3
     assert np.abs(got[:, 1] - want.y).max() < 2e-3
     assert np.abs(got[:, 4] - want.shore.line).max() < 5e-3
+    # the same wave is the nearest: none seems broken because the one before it has
+    stale = (got[:, 12] > -1.0) != (want.shore.progress > -1.0)
+    assert stale[want.shore.line + want.shore.back + want.shore.fall > 0.02].mean() < 4e-3
+    assert np.abs(got[:, 13] - want.shore.white).max() < 1e-2
     moved = np.hypot(*(part.v for part in want.shore.shift))
     assert moved.max() > 0.3
     near = np.abs(want.normal[:, 2]) > 0.05

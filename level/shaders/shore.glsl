@@ -203,6 +203,10 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
         shore_wave(u, shore_fade(f.x), a, b, here);
         masks = max(masks, here);
         float away = abs(u);
+#ifdef PLUNGE
+        vec3 q = m.breaker.here - u_body * u_shore_break_rate;
+        if (away < nearest) m.progress = q.x;
+#endif
         if (away < nearest) {
             nearest = away;
             m.a = a;
@@ -211,7 +215,6 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
         }
         vec3 body = shore_body(u_body, f);
 #ifdef PLUNGE
-        vec3 q = m.breaker.here - u_body * u_shore_break_rate;
         if (feels && may_break(u_body.x, q.x, u_shore_width, u_shore_gap + max(u_shore_back, u_shore_width), u_shore_fall)) {
             vec3 sooner = raggedness(xy, looped_wave(wave)), high = d_mul(tall, along);
             q += sooner;

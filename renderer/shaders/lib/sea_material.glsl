@@ -55,7 +55,7 @@ float foam_of_shore(float distance_m, float torn) {
 #ifdef PLUNGE
 // Foam of a crest that throws its lip (D34): a thin line on its edge while that falls, then all that it falls on.
 float lip_foam(ShoreMasks m, float to_m, float down_m, float tear) {
-    float fallen = smoothstep(0.75, 1.5, m.progress), reach_m = mix(0.1, 1.0, fallen) * min(u_shore_width * to_m, 9.0);
+    float fallen = smoothstep(0.5, 1.2, m.progress), reach_m = mix(0.1, 1.0, fallen) * min(u_shore_width * to_m, 9.0);
     float wide_m = mix(0.4, 1.6, fallen);
     float over = 1.0 - smoothstep(-wide_m, wide_m, down_m - reach_m + mix(2.0, 4.0, fallen) * wide_m * (tear - 0.5));
     float behind = exp2(min(down_m + mix(0.1, 0.6, fallen), 0.0) / mix(0.4, 1.8, fallen));
