@@ -12,13 +12,13 @@ from scipy import ndimage
 
 from ..level import BadInput
 from ..level.arrival import Asked
-from ..level.arrival_map import HEIGHTS, ArrivalMap
+from ..level.arrival_map import BREAKS, HEIGHTS, TIMES, ArrivalMap
 
 
 class ArrivalLender:
     """Answers with the map of just these waters, else with the last good one until that has come.
 
-    Under the brush times alone are asked for; heights go on as they were.
+    Under the brush times alone are asked for; heights and how waves break go on as they were.
     """
 
     def __init__(self) -> None:
@@ -27,7 +27,7 @@ class ArrivalLender:
         self._worker = ArrivalWorker()
         self._asked: tuple = ()  # key of what was asked for last
         self._held: tuple = ()  # key of what `made` answers
-        self._tall: np.ndarray | None = None  # heights of the last map that had some
+        self._tall: ArrivalMap | None = None  # the last map that had heights
         self.made: ArrivalMap | None = None
         self.failure = ""  # why there is no newer one
 
@@ -58,10 +58,10 @@ class ArrivalLender:
             return True
         self.failure = ""
         if made.block(HEIGHTS).any():
-            self._tall = made.block(HEIGHTS)
+            self._tall = made
         elif self._tall is not None:
-            made = replace(made, packed=made.packed.copy())
-            made.block(HEIGHTS)[...] = _resized(self._tall, made.shape)
+            others = [_resized(self._tall.block(which), made.shape) for which in (HEIGHTS, BREAKS)]
+            made = replace(made, packed=np.concatenate([made.block(TIMES), *others]).astype(np.float32))
         self._held, self.made = key, made
         return True
 

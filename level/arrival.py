@@ -17,6 +17,7 @@ import numpy as np
 from scipy import ndimage
 
 from .arrival_map import BLOCKS, SWELLS, ArrivalMap
+from .breaking_map import breaking_block
 from .dispersion import group_speed, wavenumber
 from .gerstner import GRAVITY, Fronts
 from .level import Level
@@ -130,7 +131,7 @@ def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
     """The map that shader and twin read, of what was solved; heights 0 where none were asked for."""
     request = asked.request
     rows, cols = request.depth_m.shape
-    times, heights = (np.zeros((rows, cols, 4), np.float32) for _ in range(2))
+    times, heights, breaks = (np.zeros((rows, cols, 4), np.float32) for _ in range(BLOCKS))
     plane = np.zeros((SWELLS, 2))
     for i, (one, swell_i) in enumerate(zip(found, request.swells, strict=True)):
         times[..., i] = one.time.seconds
@@ -142,9 +143,10 @@ def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
         heights[..., 1 + i] = np.clip(one.heights.height_m / swell_i.height_m, 0, MOST_GAIN) * stands
         if i == 0:
             heights[..., 0] = one.heights.height_m / max(asked.lead_height_m, 1e-6) * stands
+            breaks = breaking_block(one.heights, one.time.reached, request.cell_m)
     times[..., 3] = _at_the_shore(request, times[..., 0], found[0].time.reached)
     periods = tuple(one.period_s for one in request.swells)
-    return ArrivalMap(np.concatenate([times, heights]), request.cell_m, periods, plane)
+    return ArrivalMap(np.concatenate([times, heights, breaks]), request.cell_m, periods, plane)
 
 
 def _at_the_shore(request: SwellRequest, seconds: np.ndarray, reached: np.ndarray) -> np.ndarray:

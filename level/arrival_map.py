@@ -16,8 +16,8 @@ from .spline import second_order, spline_weights
 SWELLS = 3  # fronts of the low group
 BEYOND_M = 160.0  # over this way past the level's border times become those of the plane wave that comes in
 APART = (0.2, 0.6)  # cycles between the two from which on the wave lies down in between
-TIMES, HEIGHTS = range(2)
-BLOCKS = 2
+TIMES, HEIGHTS, BREAKS = range(3)
+BLOCKS = 3
 
 
 @dataclass(frozen=True)
@@ -34,9 +34,21 @@ class Passing:
 
 
 @dataclass(frozen=True)
+class Breaks:
+    """At some points, duals: seconds since the lead broke that passes now, below 0 before it does; 0 … 1 how far that
+    shows; surf similarity as it breaks; run-up of the shore near by in metres."""
+
+    since_s: Dual
+    shows: Dual
+    similarity: Dual
+    runup_m: Dual
+
+
+@dataclass(frozen=True)
 class ArrivalMap:
-    """`packed` float32 `(2 rows, cols, 4)`, row 0 south: times in seconds of three swells and of the lead at the
-    shoreline; above them the height of the lead's shore wave and the gains of the swells.
+    """`packed` float32 `(3 rows, cols, 4)`, row 0 south: times in seconds of three swells and of the lead at the
+    shoreline; above them the height of the lead's shore wave and the gains of the swells; above those how the lead
+    breaks: seconds since then, below 0 before, how far that shows, surf similarity, run-up in metres.
 
     `plane` `(3, 2)`: s/m, the way of the plane wave that comes in, over its speed.
     """
@@ -53,7 +65,7 @@ class ArrivalMap:
         return rows // BLOCKS, cols
 
     def block(self, which: int) -> np.ndarray:
-        """TIMES or HEIGHTS, `(rows, cols, 4)`."""
+        """TIMES, HEIGHTS or BREAKS, `(rows, cols, 4)`."""
         rows = self.shape[0]
         return self.packed[which * rows : (which + 1) * rows]
 
@@ -61,6 +73,14 @@ class ArrivalMap:
         """Gradient of the lead's time of arrival in cycles per metre, east and north with their gradients (H23)."""
         east, north = second_order(self.block(TIMES)[..., 0], self.cell_m, x, y)
         return east * (1 / self.period_s[0]), north * (1 / self.period_s[0])
+
+    def breaks(self, x, y) -> Breaks:
+        """How the lead breaks at world points; beyond the border as on it."""
+        (rows, cols), u, v = self.shape, np.asarray(x) / self.cell_m, np.asarray(y) / self.cell_m
+        ui, vi = np.clip(u, 0, cols - 1), np.clip(v, 0, rows - 1)
+        found = self._spline(BREAKS, ui, vi)
+        in_x, in_y = u == ui, v == vi
+        return Breaks(*(Dual(found.v[..., i], found.dx[..., i] * in_x, found.dy[..., i] * in_y) for i in range(4)))
 
     def at(self, x, y) -> Passing:
         """What passes world points (arrays)."""

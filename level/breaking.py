@@ -3,7 +3,8 @@
 Points of the water's body are carried ahead, the way the wave goes, and let down: a displacement over phase and
 progress in closed form. The type follows from slope and steepness, ξ = tan β / √(H / L₀) (Battjes 1974). The twin is
 shaders/breaking.glsl; both sources of phase call it with `u` (phase, 0 on the front), `q` (progress: 0 where the lip
-leaves the crest, 1 where it meets the water) and a `Breaker`.
+leaves the crest, 1 where it meets the water) and a `Breaker`. By the depth's clock a wave breaks at a share of the
+range, by times of travel where it is too high for its depth (breaking_map.py): then it takes `shore.breaking_s`.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .arrival_map import Breaks
 from .dual import Dual, step
 from .noise import value_noise
 from .settings import Shore
@@ -29,17 +31,32 @@ RAGGED_M = (13.0, 3.1)  # lengths along the crest over which it breaks sooner an
 STEEPENS = -2.5  # progress from which on the landward face steepens
 GRAVITY = 9.81
 
+Gradient = tuple[Dual, Dual]  # east and north
+
 
 @dataclass
 class Breaker:
-    """Duals at some points: the unit way that waves go, width of a front's face in metres, and how far it falls over
-    (`plunging`) or leans at all (`leaning`), 0 … 1."""
+    """Duals at some points: the unit way that waves go, width of a front's face in metres, how far it falls over
+    (`plunging`) or leans at all (`leaning`), 0 … 1; progress of a crest that passes `here`, and how far it shows."""
 
     east: Dual
     north: Dual
     face_m: Dual
     plunging: Dual
     leaning: Dual
+    here: Dual
+    shows: Dual
+
+
+@dataclass
+class Swell:
+    """Of the lead swell at some points: gradient of its times of arrival in cycles per metre, where it breaks, by how
+    many cycles the shoreline bends those times, and by what share all this counts against the depth."""
+
+    steep: Gradient
+    breaks: Breaks
+    bent: Dual
+    share: float
 
 
 @dataclass
@@ -60,18 +77,16 @@ def breaking_uniforms(shore: Shore, cycles_a_range: float) -> dict[str, float]:
         "u_shore_break_rate": break_rate(shore, cycles_a_range),
         "u_shore_iribarren": iribarren(shore),
         "u_shore_ragged": shore.ragged,
-        "u_shore_feels_s": feels_s(shore, cycles_a_range),
+        "u_shore_feels_from": feels_from(shore, cycles_a_range),
+        "u_shore_breaking_s": shore.breaking_s,
     }
 
 
-def feels_s(shore: Shore, cycles_a_range: float) -> float:
-    """From where along the range on a wave shows that it breaks, its tail too: farther out nobody asks."""
-    return (
-        BREAK_S
-        + (STEEPENS - shore.ragged) / break_rate(shore, cycles_a_range)
-        - shore.gap
-        - max(shore.back, shore.width)
-    )
+def feels_from(shore: Shore, cycles_a_range: float) -> float:
+    """Progress of a crest that passes a place from which on something shows there of waves that break, their tails too:
+    before that nobody asks."""
+    tail = shore.gap + max(shore.back, shore.width)
+    return STEEPENS - shore.ragged - tail * break_rate(shore, cycles_a_range)
 
 
 def break_rate(shore: Shore, cycles_a_range: float) -> float:
@@ -98,29 +113,32 @@ def inverse(x: Dual, least: float) -> Dual:
     return Dual(over, rate * x.dx, rate * x.dy)
 
 
-Gradient = tuple[Dual, Dual]  # east and north
-
-
-def breaker_at(shore: Shore, cycles_a_range: float, bed: Gradient, swell: Gradient | None, share: float) -> Breaker:
-    """`bed`: gradient of the depth, `swell`: of the times of arrival, cycles per metre, which counts by `share`."""
+def breaker_at(shore: Shore, cycles_a_range: float, s_body: Dual, bed: Gradient, swell: Swell | None) -> Breaker:
+    """`s_body`: place along the range; `bed`: gradient of the depth."""
     along = -cycles_a_range / shore.range_m
     east, north = bed[0] * along, bed[1] * along
+    slope = length(*bed)
+    here = (s_body - BREAK_S) * break_rate(shore, cycles_a_range)
+    xi, known, shows = slope * iribarren(shore), step(*FLAT, slope), Dual(np.ones(np.shape(s_body.v)))
     if swell is not None:
-        east, north = east + (swell[0] - east) * share, north + (swell[1] - north) * share
-    fast, slope = length(east, north), length(*bed)
+        share, breaks = swell.share, swell.breaks
+        east, north = east + (swell.steep[0] - east) * share, north + (swell.steep[1] - north) * share
+        xi, known = xi + (breaks.similarity - xi) * share, known + (1.0 - known) * share
+        shows = shows + (breaks.shows - shows) * share
+        since = (breaks.since_s + swell.bent * shore.interval_s) * (1 / shore.breaking_s)
+        here = here + (since - here) * share
+    fast = length(east, north)
     over = inverse(fast, 1e-6)
-    xi = slope * iribarren(shore)
-    surging = step(*SURGES, xi)
-    known = step(*FLAT, slope)
+    calm = (1.0 - step(*SURGES, xi)) * known * shows
     face = inverse(fast * (1 / (cycles_a_range * shore.width)), 1 / FACE_MOST_M)
-    plunging = step(*SPILLS, xi) * (1.0 - surging) * known
-    leaning = (plunging * (1.0 - SPILLED) + SPILLED) * (1.0 - surging) * known
-    return Breaker(east * over, north * over, face, plunging, leaning)
+    plunging = step(*SPILLS, xi)
+    leaning = (plunging * (1.0 - SPILLED) + SPILLED) * calm
+    return Breaker(east * over, north * over, face, plunging * calm, leaning, here, shows)
 
 
-def progress(shore: Shore, cycles_a_range: float, front_s: Dual) -> Dual:
-    """Progress of a front from where it stands along the range."""
-    return (front_s - BREAK_S) * break_rate(shore, cycles_a_range)
+def progress(shore: Shore, cycles_a_range: float, breaker: Breaker, u: Dual) -> Dual:
+    """Progress of a wave, from what it would be were its crest here."""
+    return breaker.here - u * break_rate(shore, cycles_a_range)
 
 
 def raggedness(shore: Shore, values: np.ndarray, x, y, wave) -> Dual:
@@ -153,7 +171,7 @@ def white_water(q: np.ndarray, breaker: Breaker) -> np.ndarray:
     """How white a wave is: from when its lip falls, or slowly where foam only rolls down its face; less once spent."""
     falling, rolling = step(-0.3, 0.9, Dual(q)).v, step(-1.2, 1.2, Dual(q)).v
     grown = rolling + (falling - rolling) * breaker.plunging.v
-    return grown * (1.0 - 0.35 * step(3.0, 6.0, Dual(q)).v)
+    return grown * (1.0 - 0.35 * step(3.0, 6.0, Dual(q)).v) * breaker.shows.v
 
 
 def overhang_m(shore: Shore) -> float:

@@ -11,8 +11,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .arrival_map import Passing
-from .breaking import ASHORE_S, BREAK_S, Breaker, breaker_at, carried, feels_s, progress, raggedness, white_water
+from .arrival_map import Breaks, Passing
+from .breaking import BREAK_S, Swell, raggedness
+from .breaking_waves import BreakingWaves
 from .dual import Dual, positive, step
 from .loop import turns
 from .noise import LATTICE, value_noise
@@ -56,11 +57,21 @@ class Travel:
     height: Dual
     share: float
     steep: tuple[Dual, Dual] | None = None  # gradient of the lead's arrival, cycles per metre: asked where waves break
+    breaks: Breaks | None = None  # and where it does
 
     @classmethod
-    def of(cls, passing: Passing, bend: Dual, share: float, steep: tuple[Dual, Dual] | None = None) -> Travel:
+    def of(cls, passing: Passing, bend: Dual, share: float, steep=None, breaks=None) -> Travel:
         """`bend`: how much later noise makes the lead's crests, in cycles (H07)."""
-        return cls(passing.swells[0] + bend, passing.shore + bend, passing.lead_height, share, steep)
+        return cls(passing.swells[0] + bend, passing.shore + bend, passing.lead_height, share, steep, breaks)
+
+    def swell(self, shore: Shore, s_body: Dual) -> Swell:
+        """What breaking asks of it."""
+        return Swell(self.steep, self.breaks, self.bent(shore, s_body), self.share)
+
+    def bent(self, shore: Shore, s_body: Dual) -> Dual:
+        """How much later the lead comes for the shoreline's sake: on the sand fronts go on as by the depth's clock."""
+        on_land = self.shore + (s_body - 1.0) * s_cycles(shore)
+        return (on_land - self.arrival) * step(LANDING_S, 1.0, s_body)
 
 
 def s_cycles(shore: Shore) -> float:
@@ -69,10 +80,8 @@ def s_cycles(shore: Shore) -> float:
 
 
 def lead_arrival(shore: Shore, s_body: Dual, early: Dual, travel: Travel) -> Dual:
-    """When fronts come, in cycles. On the sand they go on as those of the depth's clock do."""
-    by_depth = s_body * s_cycles(shore)
-    on_land = travel.shore + (s_body - 1.0) * s_cycles(shore)
-    lead = travel.arrival + (on_land - travel.arrival) * step(LANDING_S, 1.0, s_body)
+    """When fronts come, in cycles."""
+    by_depth, lead = s_body * s_cycles(shore), travel.arrival + travel.bent(shore, s_body)
     return by_depth + (lead - by_depth) * travel.share - early
 
 
@@ -131,7 +140,9 @@ def shore_masks(
     nearest = np.full(np.shape(s), 9.0)
     a, b, *masks = np.zeros((5, *np.shape(s)))
     lift = Dual(*np.zeros((3, *np.shape(s))))
-    breaks = _Breaks.begun(shore, s_body, steep, travel)
+    breaks = None
+    if steep is not None and shore.plunge > 0:
+        breaks = BreakingWaves.begun(shore, s_cycles(shore), s_body, steep, travel and travel.swell(shore, s_body))
     along = _height_along(s_body, travel)
     for u, u_body, f, wave in _fronts(shore, clock, s, s_body, early, travel):
         tall = 1.0 - _wave_noise(shore, clock, values, x, y, wave) * shore.variety
@@ -143,7 +154,7 @@ def shore_masks(
         body = _body(shore, u_body, f)
         if breaks is not None:
             sooner = raggedness(shore, values, x, y, _looped(clock, wave))
-            body = breaks.broken(u_body, f, body, tall * along, sooner, here, closer)
+            body = breaks.broken(u_body, body, tall * along, sooner, here, closer)
         lift = lift + body * tall
     arrived = _arrived(shore, clock, early, travel)
     run = _swash(shore, clock, arrived, values, x, y)
@@ -163,46 +174,6 @@ def shore_masks(
         masks.shift, masks.way = breaks.shift(sea * moving), np.stack([breaks.breaker.east.v, breaks.breaker.north.v])
         masks.progress, masks.white = breaks.progress, breaks.white * calm * sea.v * on
     return masks
-
-
-@dataclass
-class _Breaks:
-    """What breaking gathers over the waves about some points (D34)."""
-
-    shore: Shore
-    breaker: Breaker
-    ashore: Dual
-    feels: np.ndarray
-    ahead_m: Dual
-    progress: np.ndarray
-    white: np.ndarray
-
-    @classmethod
-    def begun(cls, shore: Shore, s_body: Dual, steep: tuple | None, travel: Travel | None) -> _Breaks | None:
-        """None where the level's waves don't break, or nobody asks."""
-        if steep is None or shore.plunge <= 0:
-            return None
-        swell, share = (None, 0.0) if travel is None else (travel.steep, travel.share)
-        breaker = breaker_at(shore, s_cycles(shore), steep, swell, share)
-        nothing = np.zeros(np.shape(s_body.v))
-        feels = s_body.v > feels_s(shore, s_cycles(shore))
-        ashore = (1.0 - step(*ASHORE_S, s_body)) * feels
-        return cls(shore, breaker, ashore, feels, Dual(nothing), nothing - 9.0, nothing)
-
-    def broken(self, u: Dual, f: Dual, body: Dual, high: Dual, sooner: Dual, foam: list, closer: np.ndarray) -> Dual:
-        """The body of one wave as it breaks, `sooner` than others; notes how far it is carried, and its foam."""
-        q = progress(self.shore, s_cycles(self.shore), f) + sooner
-        moved = carried(self.shore, u, q, self.breaker, high, sooner)
-        self.ahead_m = self.ahead_m + moved.ahead_m
-        self.progress = np.where(closer, q.v, self.progress)
-        self.white = np.maximum(self.white, white_water(q.v, self.breaker) * np.maximum.reduce(foam) * self.feels)
-        # on land and far out it stands as it is
-        stands = moved.stands + (1.0 - moved.stands) * (1.0 - self.ashore)
-        return body * stands + moved.splash * self.ashore
-
-    def shift(self, weight: Dual) -> tuple[Dual, Dual]:
-        ahead = self.ahead_m * self.ashore * weight
-        return self.breaker.east * ahead, self.breaker.north * ahead
 
 
 def _fronts(shore: Shore, clock: dict, s: np.ndarray, s_body: Dual, early: Dual, travel: Travel | None):

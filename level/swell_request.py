@@ -13,7 +13,7 @@ from scipy import ndimage
 from .travel_time import LEAST_DEPTH_M, TravelTime, solve, stride
 from .wave_heights import BREAKS_AT, WaveHeights, wave_heights
 
-BYTES_PER_CELL = 13 + 30  # of `TravelTime` and `WaveHeights` together
+BYTES_PER_CELL = 13 + 38  # of `TravelTime` and `WaveHeights` together
 LAND_COUNTS_M = 3.0  # height of land in the smoothed bed: a cliff isn't deeper under water for being high
 LEAST_OF_DEPTH = 0.25  # of the water's own depth: a channel between rocks stays one
 

@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from scipy import ndimage
 
+from .before_breaking import AHEAD_S, Ahead, ahead_of
 from .dispersion import deep_water_length, group_ratio, group_speed
 from .runup import RUNUP, breaker_type, surf_similarity
 from .swell_rays import Rays, rays_of
@@ -45,6 +46,8 @@ class WaveHeights:
     breaker: np.ndarray  # int8: 0 unbroken, 1 spilling, 2 plunging, 3 surging
     break_point: np.ndarray  # bool: cells where it begins to break
     runup_m: np.ndarray  # above still water, at the nearest water's edge
+    to_break_s: np.ndarray  # seconds until it breaks, before_breaking.AHEAD_S at most
+    next_similarity: np.ndarray  # surf similarity where it will break, 0 where it won't
 
 
 def wave_heights(
@@ -68,7 +71,8 @@ def wave_heights(
     surf.spread()
     for cells in order:
         surf.step(cells)
-    return surf.maps(depth_m, runup)
+    ahead = ahead_of(surf.rays, order, surf.starts, surf.since, surf.similarity)
+    return surf.maps(depth_m, runup, ahead)
 
 
 @dataclass
@@ -154,7 +158,7 @@ class _Surf:
         self.left[cells] = np.minimum(flux - lost, limit) / np.maximum(self.unbroken[cells], 1e-12)
         self.fullness[cells], self.broken[cells], self.starts[cells] = full, broken, starts
 
-    def maps(self, depth_m: np.ndarray, runup: str) -> WaveHeights:
+    def maps(self, depth_m: np.ndarray, runup: str, ahead: Ahead) -> WaveHeights:
         """The state as maps of the level."""
         water = self.found.reached
         height = self._level(self.offshore_m * np.sqrt(self.unbroken * self.left / self.group))
@@ -166,7 +170,11 @@ class _Surf:
         breaker = np.where(broken > 0.5, breaker_type(similarity), 0).astype(np.int8)
         starts = self._level(self.starts).copy()
         up = self._runup(np.asarray(depth_m, np.float64), gathered, runup)
-        return WaveHeights(height, gathered, broken, since, break_height, similarity, breaker, starts, up)
+        to_break = self._level(ahead.seconds).astype(np.float32)
+        next_xi = self._level(ahead.similarity).astype(np.float32)
+        return WaveHeights(
+            height, gathered, broken, since, break_height, similarity, breaker, starts, up, to_break, next_xi
+        )
 
     def _runup(self, depth_m, gathered, runup: str) -> np.ndarray:
         """Run-up at cells of the water's edge by the slope of the beach there, spread to the nearest cells."""
@@ -210,7 +218,8 @@ class _Surf:
 def _none(shape: tuple[int, int]) -> WaveHeights:
     """No wave anywhere."""
     none = np.zeros(shape, np.float32)
-    return WaveHeights(*(none,) * 6, np.zeros(shape, np.int8), np.zeros(shape, bool), none)
+    unbroken = np.zeros(shape, np.int8), np.zeros(shape, bool)
+    return WaveHeights(*(none,) * 6, *unbroken, none, np.full(shape, AHEAD_S, np.float32), none)
 
 
 def _spread(flux: np.ndarray, water: np.ndarray, sigma: float) -> np.ndarray:

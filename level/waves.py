@@ -12,7 +12,7 @@ import numpy as np
 from .arrival import arrival, arrival_uniforms, shore_at
 from .arrival_map import ArrivalMap
 from .beach_map import NO_BEACH_M, beach_map
-from .breaking import breaking_uniforms, feels_s, overhang_m
+from .breaking import BREAK_S, break_rate, breaking_uniforms, feels_from, overhang_m
 from .dual import Dual, step
 from .force import ForceField
 from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, through, travel
@@ -126,7 +126,7 @@ def _shore_waves(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap 
     way = None
     if made is not None:
         bend = later(level, t, x, y, phase_noise(settings.sea, fronts[-1], 0, x, y))
-        way = Travel.of(made.at(x, y), bend, share, made.steep(x, y) if breaks else None)
+        way = Travel.of(made.at(x, y), bend, share, *((made.steep(x, y), made.breaks(x, y)) if breaks else ()))
     steep = second_order(shore.packed[..., 3], shore.cell_m, x, y) if breaks else None
     values, loop_s = lattice(settings.level.seed), settings.time.loop_s
     masks = shore_masks(
@@ -211,7 +211,9 @@ def _before_breaking(level: Level, t: float, fronts: list[Fronts], made: Arrival
     shape, at, shore = x.shape, np.stack([x.ravel(), y.ravel()]), shore_at(level, t)
     bed = shore_map(level).at(*at, level.tide_m)
     s = 1.0 - bed["smoothed"].v / shore.range_m
-    near = (s > feels_s(shore, s_cycles(shore))) & (s < 1 + shore.runup) & ~before_waves(shore, bed)
+    # by times of travel waves may break anywhere
+    here = 0.0 if made is not None else (s - BREAK_S) * break_rate(shore, s_cycles(shore))
+    near = (here > feels_from(shore, s_cycles(shore))) & (s < 1 + shore.runup) & ~before_waves(shore, bed)
     if not near.any():
         return x, y
 

@@ -10,13 +10,17 @@ from shorewright.renderer.program import resolve
 from shorewright.renderer.uniforms import set_uniforms
 
 SEA = """
-in vec2 in_at; out vec4 v_position; out vec4 v_masks; out vec4 v_sheet;
+in vec2 in_at; out vec4 v_position; out vec4 v_masks; out vec4 v_sheet; out vec4 v_breaks;
 #include "level/waves.glsl"
 void main() {
     Sea sea = sea_surface(in_at);
     v_position = vec4(sea.position, sea.deep);
     v_masks = vec4(sea.shore.line, sea.shore.back, sea.shore.fall, sea.normal.x);
     v_sheet = vec4(sea.sheet, sea.shore.arrived, sea.normal.y, sea.shore.edge_s);
+    v_breaks = vec4(0.0);
+#ifdef PLUNGE
+    v_breaks = vec4(sea.shore.progress, sea.shore.white, sea.shore.breaker.plunging.x, sea.shore.breaker.leaning.x);
+#endif
 }
 """
 
@@ -50,7 +54,7 @@ def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, un
 
 
 def feedback(ctx, level, t, at):
-    """The level's sea at undeformed points: position, weight, masks, sheet and phase, as SEA lists them."""
+    """The level's sea at undeformed points: position, weight, masks, sheet and phase, breaking, as SEA lists them."""
     packed, sand = np.ascontiguousarray(shore_map(level).packed), np.ascontiguousarray(beach_map(level).packed)
     textures = {
         "u_bed": ctx.texture(packed.shape[1::-1], 4, packed.tobytes(), dtype="f4"),
@@ -60,5 +64,5 @@ def feedback(ctx, level, t, at):
     made = arrival(level, t)
     if made is not None:
         textures["u_arrival"] = ctx.texture(made.packed.shape[1::-1], 4, made.packed.tobytes(), dtype="f4")
-    varyings = {"v_position": 4, "v_masks": 4, "v_sheet": 4}
+    varyings = {"v_position": 4, "v_masks": 4, "v_sheet": 4, "v_breaks": 4}
     return transform(ctx, SEA, at, varyings, textures, wave_uniforms(level, t), wave_defines(level))

@@ -8,7 +8,7 @@ from coasts import make_beach
 from points import feedback
 from shorewright.app.arrival_lender import ArrivalLender
 from shorewright.level.arrival import arrival, asked_of, offshore_height_m, period_s, shore_at, swell
-from shorewright.level.arrival_map import BEYOND_M, HEIGHTS, TIMES, ArrivalMap
+from shorewright.level.arrival_map import BEYOND_M, BREAKS, HEIGHTS, TIMES, ArrivalMap
 from shorewright.level.dispersion import group_speed
 from shorewright.level.dual import Dual
 from shorewright.level.objects import OBJECT_KINDS
@@ -54,7 +54,7 @@ def test_maps_read_back_a_plane_in_place_and_slope():
     y, x = np.mgrid[0:rows, 0:cols] * cell
     times = np.stack([0.3 * x + 0.1 * y, -0.2 * x, 0.05 * y, 0.1 * x], -1)
     plane = np.array([[0.3, 0.1], [-0.2, 0.0], [0.0, 0.05]])
-    packed = np.concatenate([times, np.ones_like(times)]).astype(np.float32)
+    packed = np.concatenate([times, np.ones_like(times), 2.0 * times]).astype(np.float32)
     made = ArrivalMap(packed, cell, (2.0, 4.0, 8.0), plane)
     at = np.random.default_rng(2).uniform(-30, 120, (2, 400))
     found = made.at(*at)
@@ -163,7 +163,8 @@ def test_under_the_brush_times_change_and_heights_stay():
         made = arrival(level, 0.0)
         assert not made.settled
         assert not np.array_equal(made.block(TIMES), whole.block(TIMES))
-        assert made.block(HEIGHTS) == pytest.approx(whole.block(HEIGHTS), abs=1e-6)
+        for which in (HEIGHTS, BREAKS):
+            assert made.block(which) == pytest.approx(whole.block(which), abs=1e-6)
     finally:
         lender.close()
 

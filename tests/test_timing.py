@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 from coasts import make_beach
-from shorewright.level.arrival_map import ArrivalMap
+from shorewright.level.arrival_map import BLOCKS, ArrivalMap
 from shorewright.level.crests import break_lines, crest_lines, isochrones
 from shorewright.level.next_crest import next_crest
 from shorewright.level.objects import Camera
@@ -136,7 +136,7 @@ class Plane:
         rows, cols = asked.request.depth_m.shape
         cell_m, periods = asked.request.cell_m, tuple(one.period_s for one in asked.request.swells)
         x, y = np.meshgrid(np.arange(cols) * cell_m, np.arange(rows) * cell_m)
-        packed = np.ones((2 * rows, cols, 4), np.float32)
+        packed = np.ones((BLOCKS * rows, cols, 4), np.float32)
         packed[:rows] = (self.slow[0] * x + self.slow[1] * y)[..., None]
         return ArrivalMap(packed, cell_m, periods, np.tile(self.slow, (3, 1)))
 

@@ -2,8 +2,8 @@
 // level/arrival_map.py.
 #include "level/dual.glsl"
 
-uniform sampler2D u_arrival;       // RGBA32F, two blocks of rows: times of three swells and of the lead at the shoreline, s;
-                                   // height of the lead's shore wave, gains of the swells
+uniform sampler2D u_arrival;       // RGBA32F, three blocks of rows: times of three swells and of the lead at the shoreline, s;
+                                   // height of the lead's shore wave, gains of the swells; how the lead breaks
 uniform float u_arrival_cell_m;
 uniform vec3 u_arrival_rate;       // one over the periods, 1/s
 uniform vec2 u_arrival_plane[3];   // s/m, of the plane waves that come in
@@ -39,7 +39,7 @@ void arrival_block(ivec2 texel, vec2 t, out vec4 value, out vec4 dx, out vec4 dy
     }
 }
 
-ivec2 arrival_size() { return textureSize(u_arrival, 0) / ivec2(1, 2); }
+ivec2 arrival_size() { return textureSize(u_arrival, 0) / ivec2(1, 3); }
 
 Passing passing_at(vec2 xy) {
     ivec2 size = arrival_size();
@@ -65,4 +65,19 @@ Passing passing_at(vec2 xy) {
     p.shore = u_arrival_rate.x * vec3(times.w, times_x.w, times_y.w);
     p.lead_height = vec3(heights.x, heights_x.x, heights_y.x);
     return p;
+}
+
+// Duals: seconds since the lead broke that passes now, below 0 before it does; 0 … 1 how far that shows; surf similarity as
+// it breaks; run-up of the shore near by in metres. Beyond the border as on it.
+struct Breaks { vec3 since_s, shows, similarity, runup_m; };
+
+Breaks breaks_at(vec2 xy) {
+    ivec2 size = arrival_size();
+    vec2 at = xy / u_arrival_cell_m, inside = clamp(at, vec2(0.0), vec2(size - 1)), known = vec2(equal(at, inside));
+    vec2 texel = clamp(floor(inside + 0.5), vec2(1.0), vec2(size - 2));
+    vec4 value, dx, dy;
+    arrival_block(ivec2(texel) + ivec2(0, 2 * size.y), inside - texel, value, dx, dy);
+    dx *= known.x;
+    dy *= known.y;
+    return Breaks(vec3(value.x, dx.x, dy.x), vec3(value.y, dx.y, dy.y), vec3(value.z, dx.z, dy.z), vec3(value.w, dx.w, dy.w));
 }

@@ -11,7 +11,8 @@ uniform float u_shore_plunge, u_shore_lip_m;
 uniform float u_shore_break_rate;  // progress that a front makes in one range
 uniform float u_shore_iribarren;   // ξ on a bed of slope 1
 uniform float u_shore_ragged;      // how differently soon a crest breaks along its length
-uniform float u_shore_feels_s;     // from here on a wave shows that it breaks
+uniform float u_shore_feels_from;  // progress of a crest that passes from which on something shows of waves that break
+uniform float u_shore_breaking_s;
 
 const float STEEPENED = 0.62, SPILLED = 0.5, FACE_MOST_M = 5.0;
 const vec2 SPILLS = vec2(0.3, 0.5), SURGES = vec2(1.7, 2.4);  // ξ between the types
@@ -20,10 +21,11 @@ const vec2 LIP_OF_M = vec2(0.25, 0.7);  // heights between which a crest throws 
 const vec2 RAGGED_M = vec2(13.0, 3.1);  // lengths along the crest over which it breaks sooner and later
 const float STEEPENS = -2.5;  // progress from which on the landward face steepens
 
-// Duals: the unit way that waves go, width of a front's face in metres, how far it falls over, how far it leans at all.
-struct Breaker { vec3 east, north, face_m, plunging, leaning; };
+// Duals: the unit way that waves go, width of a front's face in metres, how far it falls over, how far it leans at all;
+// progress of a crest that passes here, and how far it shows.
+struct Breaker { vec3 east, north, face_m, plunging, leaning, here, shows; };
 
-const Breaker NO_BREAKER = Breaker(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0));
+const Breaker NO_BREAKER = Breaker(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), vec3(-99.0, 0.0, 0.0), vec3(0.0));
 
 // Duals: metres ahead, height as a share of the body's own, splash on top.
 struct Carried { vec3 ahead_m, stands, splash; };
@@ -58,32 +60,35 @@ vec3 d_inverse(vec3 x, float least) {
     return vec3(over, (x.x > least ? -over * over : 0.0) * x.yz);
 }
 
-Breaker breaker_at(vec2 xy, float cycles_a_range, float range_m, float width) {
-    vec3 bed_east, bed_north;
+// `s_body`: place along the range; `bent`: by how many cycles the shoreline bends times of arrival.
+Breaker breaker_at(vec2 xy, vec3 s_body, vec3 bent, float cycles_a_range, float range_m, float width) {
+    vec3 bed_east, bed_north, one = d_const(1.0), shows = one, here = (s_body - d_const(BREAK_S)) * u_shore_break_rate;
     second_order(u_bed, 3, textureSize(u_bed, 0), u_bed_cell_m, xy, bed_east, bed_north);
     vec3 east = bed_east * (-cycles_a_range / range_m), north = bed_north * (-cycles_a_range / range_m);
+    vec3 slope = d_length(bed_east, bed_north), xi = slope * u_shore_iribarren;
+    vec3 known = d_step(FLAT_SLOPE.x, FLAT_SLOPE.y, slope);
 #ifdef TRAVEL_TIME
+    Breaks breaks = breaks_at(xy);
     vec3 swell_east, swell_north;
     second_order(u_arrival, 0, arrival_size(), u_arrival_cell_m, xy, swell_east, swell_north);
     east += (swell_east * u_arrival_rate.x - east) * u_arrival_share;
     north += (swell_north * u_arrival_rate.x - north) * u_arrival_share;
+    xi += (breaks.similarity - xi) * u_arrival_share;
+    known += (one - known) * u_arrival_share;
+    shows += (breaks.shows - shows) * u_arrival_share;
+    vec3 since = (breaks.since_s + bent / u_arrival_rate.x) / u_shore_breaking_s;
+    here += (since - here) * u_arrival_share;
 #endif
-    vec3 fast = d_length(east, north), slope = d_length(bed_east, bed_north), over = d_inverse(fast, 1e-6);
-    vec3 xi = slope * u_shore_iribarren, calm = d_const(1.0) - d_step(SURGES.x, SURGES.y, xi);
-    vec3 leaning = d_mul(calm, d_step(FLAT_SLOPE.x, FLAT_SLOPE.y, slope));
+    vec3 fast = d_length(east, north), over = d_inverse(fast, 1e-6);
+    vec3 calm = d_mul(d_mul(one - d_step(SURGES.x, SURGES.y, xi), known), shows);
     vec3 face = d_inverse(fast / (cycles_a_range * width), 1.0 / FACE_MOST_M);
-    vec3 plunging = d_mul(d_step(SPILLS.x, SPILLS.y, xi), leaning);
-    leaning = d_mul(plunging * (1.0 - SPILLED) + d_const(SPILLED), leaning);
-    return Breaker(d_mul(east, over), d_mul(north, over), face, plunging, leaning);
+    vec3 plunging = d_step(SPILLS.x, SPILLS.y, xi), leaning = d_mul(plunging * (1.0 - SPILLED) + d_const(SPILLED), calm);
+    return Breaker(d_mul(east, over), d_mul(north, over), face, d_mul(plunging, calm), leaning, here, shows);
 }
 
-// Progress of a front from where it stands along the range: 0 where the lip leaves it, 1 where that meets the water.
-vec3 break_progress(vec3 front_s) { return (front_s - d_const(BREAK_S)) * u_shore_break_rate; }
-
 // False where breaking changes nothing of a wave: too early, or not on it.
-bool may_break(float u, float front_s, float w, float tail, float fall) {
-    bool late = (front_s - BREAK_S) * u_shore_break_rate > STEEPENS - u_shore_ragged;
-    return late && u > -tail && u < max(2.4 * w, 0.5 * w + fall);
+bool may_break(float u, float q, float w, float tail, float fall) {
+    return q > STEEPENS - u_shore_ragged && u > -tail && u < max(2.4 * w, 0.5 * w + fall);
 }
 
 // How much sooner the wave of this number breaks at a place, in times of its fall.
@@ -117,6 +122,6 @@ Carried carried(vec3 u, vec3 q, Breaker breaker, vec3 high, vec3 sooner, float h
 // How white a wave is: from when its lip falls, or slowly where foam only rolls down its face; less as it is spent.
 float white_water(float q, Breaker breaker) {
     float falling = smoothstep(-0.3, 0.9, q), rolling = smoothstep(-1.2, 1.2, q);
-    return mix(rolling, falling, breaker.plunging.x) * (1.0 - 0.35 * smoothstep(3.0, 6.0, q));
+    return mix(rolling, falling, breaker.plunging.x) * breaker.shows.x * (1.0 - 0.35 * smoothstep(3.0, 6.0, q));
 }
 #endif

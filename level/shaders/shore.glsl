@@ -88,10 +88,15 @@ vec3 shore_early(vec2 xy, vec3 sway) {
 float s_cycles() { return float(u_shore_count) / (1.0 + u_shore_runup); }
 
 #ifdef TRAVEL_TIME
-// When fronts come, a dual in cycles. On the sand they go on as those of the depth's clock do. `bend`: H07.
+// How much later the lead comes for the shoreline's sake: on the sand fronts go on as those of the depth's clock do.
+vec3 lead_bent(Passing passing, vec3 s_body) {
+    vec3 on_land = passing.shore + (s_body - d_const(1.0)) * s_cycles();
+    return d_mul(on_land - passing.swells[0], d_step(LANDING_S, 1.0, s_body));
+}
+
+// When fronts come, a dual in cycles. `bend`: H07.
 vec3 lead_arrival(Passing passing, vec3 bend, vec3 s_body, vec3 early) {
-    vec3 by_depth = s_body * s_cycles(), on_land = passing.shore + (s_body - d_const(1.0)) * s_cycles();
-    vec3 lead = passing.swells[0] + d_mul(on_land - passing.swells[0], d_step(LANDING_S, 1.0, s_body));
+    vec3 by_depth = s_body * s_cycles(), lead = passing.swells[0] + lead_bent(passing, s_body);
     return by_depth + (lead + bend - by_depth) * u_arrival_share - early;
 }
 
@@ -171,9 +176,14 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     along += (passing.lead_height - along) * u_arrival_share;
 #endif
 #ifdef PLUNGE
-    bool feels = s_body.x > u_shore_feels_s;
+#ifdef TRAVEL_TIME
+    m.breaker = breaker_at(xy, s_body, lead_bent(passing, s_body), s_cycles(), u_shore_range_m, u_shore_width);
+#else
+    if ((s_body.x - BREAK_S) * u_shore_break_rate > u_shore_feels_from)
+        m.breaker = breaker_at(xy, s_body, vec3(0.0), s_cycles(), u_shore_range_m, u_shore_width);
+#endif
+    bool feels = m.breaker.here.x > u_shore_feels_from;
     vec3 ashore = feels ? d_const(1.0) - d_step(ASHORE_S.x, ASHORE_S.y, s_body) : vec3(0.0), ahead_m = vec3(0.0);
-    if (feels) m.breaker = breaker_at(xy, s_cycles(), u_shore_range_m, u_shore_width);
 #endif
     for (int k = 0; k < waves; ++k) {
 #ifdef TRAVEL_TIME
@@ -193,6 +203,10 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
         shore_wave(u, shore_fade(f.x), a, b, here);
         masks = max(masks, here);
         float away = abs(u);
+#ifdef PLUNGE
+        vec3 q = m.breaker.here - u_body * u_shore_break_rate;
+        if (away < nearest) m.progress = q.x;
+#endif
         if (away < nearest) {
             nearest = away;
             m.a = a;
@@ -201,8 +215,9 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
         }
         vec3 body = shore_body(u_body, f);
 #ifdef PLUNGE
-        if (feels && may_break(u_body.x, f.x, u_shore_width, u_shore_gap + max(u_shore_back, u_shore_width), u_shore_fall)) {
-            vec3 sooner = raggedness(xy, looped_wave(wave)), q = break_progress(f) + sooner, high = d_mul(tall, along);
+        if (feels && may_break(u_body.x, q.x, u_shore_width, u_shore_gap + max(u_shore_back, u_shore_width), u_shore_fall)) {
+            vec3 sooner = raggedness(xy, looped_wave(wave)), high = d_mul(tall, along);
+            q += sooner;
             if (away <= nearest) m.progress = q.x;
             Carried moved = carried(u_body, q, m.breaker, high, sooner, u_shore_height_m, u_shore_width, u_shore_gap, u_shore_back);
             ahead_m += moved.ahead_m;

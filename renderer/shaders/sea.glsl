@@ -114,7 +114,8 @@ void main() {
 
 #ifdef PLUNGE
     // white water is no sheet with a dark side: light comes through it from above
-    normal = normalize(normal + vec3(0.0, 0.0, 2.2 * hangs * foam.cover));
+    float turned = max(hangs, (1.0 - smoothstep(0.45, 0.92, normal.z)) * min(u_shore_plunge, 1.0));
+    normal = normalize(normal + vec3(0.0, 0.0, 2.2 * turned * foam.cover));
 #endif
 #ifdef PLUNGE
     vec4 land = below(normalize(normal + vec3(0.0, 0.0, 3.0 * hangs)), eye_depth, away);  // bent so far, a ray finds nothing

@@ -55,7 +55,7 @@ float foam_of_shore(float distance_m, float torn) {
 #ifdef PLUNGE
 // Foam of a crest that throws its lip (D34): a thin line on its edge while that falls, then all that it falls on.
 float lip_foam(ShoreMasks m, float to_m, float down_m, float tear) {
-    float fallen = smoothstep(0.75, 1.5, m.progress), reach_m = mix(0.1, 1.0, fallen) * min(u_shore_width * to_m, 9.0);
+    float fallen = smoothstep(0.5, 1.2, m.progress), reach_m = mix(0.1, 1.0, fallen) * min(u_shore_width * to_m, 9.0);
     float wide_m = mix(0.4, 1.6, fallen);
     float over = 1.0 - smoothstep(-wide_m, wide_m, down_m - reach_m + mix(2.0, 4.0, fallen) * wide_m * (tear - 0.5));
     float behind = exp2(min(down_m + mix(0.1, 0.6, fallen), 0.0) / mix(0.4, 1.8, fallen));
@@ -112,8 +112,9 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     whole = min(u_shore_plunge, 1.0);
     rolling = mix(broken, white_water(m.progress, m.breaker), whole);
     plunging = whole * m.breaker.plunging.x;
-    vec2 down = BREAK_S + mix(vec2(-0.8, 1.6), vec2(0.5, 1.5), plunging) / u_shore_break_rate;
-    broken = mix(broken, smoothstep(down.x, down.y, m.s + 0.06 * (patches - 0.5)), whole);
+    vec2 down = mix(vec2(-0.8, 1.6), vec2(0.5, 1.5), plunging);
+    float torn_here = m.breaker.here.x + 0.06 * (patches - 0.5) * u_shore_break_rate;
+    broken = mix(broken, smoothstep(down.x, down.y, torn_here) * m.breaker.shows.x, whole);
 #endif
     float steep = max(length(sea.bed.smoothed.yz), 0.015);
     float to_m = u_shore_range_m / steep, down_m = (m.s - m.front + 0.5 * u_shore_width) * to_m;
