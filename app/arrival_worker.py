@@ -18,12 +18,15 @@ from types import ModuleType
 from ..level.arrival import Asked
 from ..level.arrival_map import ArrivalMap
 from ..level.errors import BadInput
+from ..level.flow import Current, CurrentRequest
 from ..level.shaping import Shaped
 from ..level.shaping_request import ShapeRequest
+from ..level.shore import Bed, BedRequest
 from ..level.swell_request import SwellRequest, SwellResult
 from .shared_maps import Block, Maps, bytes_of, placed, restored
 
-Answer = tuple[SwellResult, ...] | ArrivalMap | Shaped | BadInput | None
+Request = SwellRequest | Asked | ShapeRequest | BedRequest | CurrentRequest
+Answer = tuple[SwellResult, ...] | ArrivalMap | Shaped | Bed | Current | BadInput | None
 STOPPED = "The process that works beside the window stopped (exit code {code}); it starts anew with the next change."
 
 
@@ -95,7 +98,7 @@ class ArrivalWorker:
         """Whether an answer is still to come."""
         return bool(self._running or self._waiting or self._failed)
 
-    def ask(self, key, request: SwellRequest | Asked | ShapeRequest) -> None:
+    def ask(self, key, request: Request) -> None:
         """Asks; what waited is dropped. `key` (a revision, say) comes back with the answer."""
         self._waiting = key, request.kept()
         self._next()
