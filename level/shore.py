@@ -122,7 +122,8 @@ class Bed:
 def shore_map(level: Level, now: bool = False) -> ShoreMap:
     """The level's map, up to date with its height; worked out in the changed window only while a step is open.
 
-    Where an editor lends a process, so it is till that has the whole of it; `now`: nothing but the whole will do.
+    Where an editor lends a process, it stays as it is till that has the whole of it; `now`: nothing but the whole will
+    do.
     """
     shore = level.settings.shore
     seeds = sea_seeds(level)
@@ -139,7 +140,8 @@ def shore_map(level: Level, now: bool = False) -> ShoreMap:
     if have is None or have.key != key or level.solver is None or now:
         bed = request().answered()
     elif (bed := level.solver.beside("bed", (at, key), request)) is None:
-        return _update(level, have, at)
+        have.whole = False
+        return have
     stride = _stride(level)
     made = ShoreMap(bed.packed, bed.bottleneck, level.grid.cell_m * stride, stride, at, key)
     made.tidal = level.settings.tide.on

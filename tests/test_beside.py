@@ -1,4 +1,4 @@
-"""What a release asks of the process beside the window: the shore map and the current, the same bits as at once (T14)."""
+"""What a release asks of the process beside the window: shore map and current, the same bits as at once (T14)."""
 
 import time
 
