@@ -5,7 +5,9 @@ level.solver = ArrivalLender()
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from scipy import ndimage
@@ -14,18 +16,23 @@ from ..level import BadInput
 from ..level.arrival import Asked
 from ..level.arrival_map import BREAKS, HEIGHTS, TIMES, ArrivalMap
 
+ARRIVALS = "arrivals"  # the name of arrival maps among what is asked for
+
 
 class ArrivalLender:
     """Answers with the map of just these waters, else with the last good one until that has come.
 
-    Under the brush times alone are asked for; heights and how waves break go on as they were.
+    Under the brush times alone are asked for; heights and how waves break go on as they were. What a release asks for
+    (`beside`: the shore map, the current) goes through the same process; of one name the latest request wins.
     """
 
     def __init__(self) -> None:
         from .arrival_worker import ArrivalWorker
 
         self._worker = ArrivalWorker()
-        self._asked: tuple = ()  # key of what was asked for last
+        self._due: dict[str, tuple] = {}  # by name: (key, request) not yet handed over
+        self._asked: dict[str, tuple] = {}  # by name: key of what was asked for last
+        self._came: dict[str, tuple] = {}  # by name: (key, answer)
         self._held: tuple = ()  # key of what `made` answers
         self._tall: ArrivalMap | None = None  # the last map that had heights
         self.made: ArrivalMap | None = None
@@ -33,42 +40,73 @@ class ArrivalLender:
 
     def answer(self, asked: Asked) -> ArrivalMap | None:
         """The newest map that `look` took in; `settled` False where it is of other waters or has but times."""
-        if asked.key not in (self._asked, self._held):
-            self._asked = asked.key
-            self._worker.ask(asked.key, asked)
-        if self.made is not None:
-            settled = self._held == asked.key and asked.request.swells[0].height_m > 0
-            if settled != self.made.settled:
-                self.made = replace(self.made, settled=settled)
+        if asked.key not in (self._asked.get(ARRIVALS), self._held):
+            self._ask(ARRIVALS, asked.key, asked)
+        return self._told(self._held == asked.key and asked.request.swells[0].height_m > 0)
+
+    def latest(self) -> ArrivalMap | None:
+        """The newest map, `settled` False."""
+        return self._told(False)
+
+    def _told(self, settled: bool) -> ArrivalMap | None:
+        if self.made is not None and settled != self.made.settled:
+            self.made = replace(self.made, settled=settled)
         return self.made
+
+    def beside(self, name: str, key: tuple, request: Callable[[], Any]) -> Any:
+        """The answer of that name and key once it has come, else None."""
+        if self._asked.get(name) != key:
+            self._ask(name, key, request())
+        came = self._came.get(name)
+        return came[1] if came is not None and came[0] == key else None
+
+    def _ask(self, name: str, key: tuple, request: Any) -> None:
+        self._asked[name] = key
+        self._due[name] = key, request.kept()
+        self._next()
+
+    def _next(self) -> None:
+        if self._due and not self._worker.busy:
+            name = next(iter(self._due))
+            key, request = self._due.pop(name)
+            self._worker.ask((name, key), request)
 
     @property
     def busy(self) -> bool:
-        """Whether a newer map is on its way."""
-        return self._worker.busy
+        """Whether something newer is on its way."""
+        return self._worker.busy or bool(self._due)
 
     def look(self) -> bool:
         """Take in what has come, once a frame; True when that is something new."""
         found = self._worker.poll()
+        self._next()
         if found is None:
             return False
-        key, made = found
+        (name, key), made = found
         if isinstance(made, BadInput):
-            self.failure, self._asked = str(made), key
+            self.failure, self._asked[name] = str(made), key
             return True
         self.failure = ""
+        if name == ARRIVALS:
+            self._take(key, made)
+        else:
+            self._came[name] = key, made
+        return True
+
+    def _take(self, key: tuple, made: ArrivalMap) -> None:
         if made.block(HEIGHTS).any():
             self._tall = made
         elif self._tall is not None:
             others = [_resized(self._tall.block(which), made.shape) for which in (HEIGHTS, BREAKS)]
             made = replace(made, packed=np.concatenate([made.block(TIMES), *others]).astype(np.float32))
         self._held, self.made = key, made
-        return True
 
     def forget(self) -> None:
         """Another level: nothing known so far counts."""
         self._worker.forget()
-        self._asked, self._held, self._tall, self.made, self.failure = (), (), None, None, ""
+        for known in (self._due, self._asked, self._came):
+            known.clear()
+        self._held, self._tall, self.made, self.failure = (), None, None, ""
 
     def close(self) -> None:
         """End the process."""

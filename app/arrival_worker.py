@@ -1,4 +1,4 @@
-"""A process that solves travel times and wave heights while the window goes on drawing.
+"""A process that works for the window while it goes on drawing: solves travel times and wave heights, shapes fronts.
 
 Fast marching holds Python's lock for all of its run (measured: a window's thread stood still for 0.62 of 0.64 s), so it
 can't be a thread. Maps go by shared memory, the rest by a pipe. The latest request wins: one waits, those it replaces
@@ -18,13 +18,16 @@ from types import ModuleType
 from ..level.arrival import Asked
 from ..level.arrival_map import ArrivalMap
 from ..level.errors import BadInput
+from ..level.flow import Current, CurrentRequest
+from ..level.shaping import Shaped
+from ..level.shaping_request import ShapeRequest
+from ..level.shore import Bed, BedRequest
 from ..level.swell_request import SwellRequest, SwellResult
 from .shared_maps import Block, Maps, bytes_of, placed, restored
 
-Answer = tuple[SwellResult, ...] | ArrivalMap | BadInput
-STOPPED = (
-    "The process that works out when waves arrive stopped (exit code {code}); it starts anew with the next change."
-)
+Request = SwellRequest | Asked | ShapeRequest | BedRequest | CurrentRequest
+Answer = tuple[SwellResult, ...] | ArrivalMap | Shaped | Bed | Current | BadInput | None
+STOPPED = "The process that works beside the window stopped (exit code {code}); it starts anew with the next change."
 
 
 def solve_now(request: SwellRequest) -> tuple[SwellResult, ...]:
@@ -48,7 +51,7 @@ class _Held:
         self.stop()
         context = get_context("spawn")
         pipe, theirs = context.Pipe()
-        process = context.Process(target=work, args=(theirs,), name="shorewright-arrivals", daemon=True)
+        process = context.Process(target=work, args=(theirs,), name="shorewright-beside", daemon=True)
         # A new process would import the program that runs (the window, or a script and all that it does) once more.
         program, sys.modules["__main__"] = sys.modules["__main__"], ModuleType("__main__")
         try:
@@ -95,10 +98,14 @@ class ArrivalWorker:
         """Whether an answer is still to come."""
         return bool(self._running or self._waiting or self._failed)
 
-    def ask(self, key, request: SwellRequest | Asked) -> None:
+    def ask(self, key, request: Request) -> None:
         """Asks; what waited is dropped. `key` (a revision, say) comes back with the answer."""
         self._waiting = key, request.kept()
         self._next()
+
+    def warm(self) -> None:
+        """Starts the process before anything is asked."""
+        self._held.start()
 
     def forget(self) -> None:
         """Nothing that was asked for so far is wanted any more: no answer to it comes out of `poll`."""
@@ -167,6 +174,6 @@ def work(pipe: connection.Connection) -> None:
             except BadInput as error:
                 pipe.send(error)
             except Exception as error:
-                pipe.send(BadInput(f"When waves arrive could not be worked out: {type(error).__name__}: {error}."))
+                pipe.send(BadInput(f"What the waves do could not be worked out: {type(error).__name__}: {error}."))
     into.close()
     out.close()

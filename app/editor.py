@@ -19,11 +19,13 @@ from ..renderer.show import Inset, Overlays
 from .actions import ACTIONS, Action
 from .arrival_lender import ArrivalLender
 from .camera_control import between
+from .front_drag import FrontDrag
 from .front_view import LAYERS, FrontView
 from .messages import Messages
 from .preferences import Preferences
 from .probe import Probe, probe
 from .session import Session
+from .shaping_lender import ShapingLender
 
 log = logging.getLogger(__name__)
 GLIDE_S = 0.28
@@ -75,6 +77,7 @@ class Editor:
         self.picture_stats = ""
         self.arrivals = ArrivalLender()  # when waves come, worked out beside the window (T06)
         self.arrivals_seen = 0  # how often a newer map came
+        self.shapings = ShapingLender()  # beds under a front in the hand, likewise (T07)
         session.level.solver = self.arrivals
         self._glide: Glide | None = None
         self._last = time.monotonic()
@@ -90,6 +93,7 @@ class Editor:
             before.close()
             before.level.solver = None
             self.arrivals.forget()
+            self.shapings.forget()
             session.level.solver = self.arrivals
         if session.recovery is None:
             session.keep_log()
@@ -127,6 +131,8 @@ class Editor:
         """Run a row of ACTIONS, unless it has nothing to do now."""
         action = ACTIONS[name] if isinstance(name, str) else name
         session = self.session
+        if self.settling and action.id not in WHILE_STROKING:
+            self.attempt(session.stroke_end)
         if not action.enabled(session) or (session.stroke and action.id not in WHILE_STROKING):
             return
         camera = session.camera
@@ -156,10 +162,21 @@ class Editor:
             self.arrivals_seen += 1
             if self.arrivals.failure:
                 self.messages.warn(self.arrivals.failure)
+        self._settled(self.attempt(self.session.front_take))
         while self.session.notes:
             self.messages.tell(self.session.notes.pop(0))
         while self.session.requests:
             self._request(self.session.requests.popleft())
+
+    @property
+    def settling(self) -> bool:
+        """Whether a front was let go whose bed is still on its way."""
+        return isinstance(self.session.stroke, FrontDrag) and self.session.stroke.settling
+
+    def _settled(self, front: FrontDrag | None) -> None:
+        """Tell what the limits forbade."""
+        for short in front.shaped.forbidden[:1] if front and front.shaped else ():
+            self.messages.tell(f"The crest is {short.text}")
 
     def _request(self, request: str) -> None:
         if request in INSETS:

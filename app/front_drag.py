@@ -1,6 +1,8 @@
 """A crest in the hand: the bed follows in an open step while it is dragged, one step on release (T07).
 
 It stands where a stroke does (`session.stroke`), so that Esc, undo and everything that waits for a release know it.
+With a process beside (`shaping_lender`) the hand never waits: `take` brings in what came, once a frame, and from
+`settle` on the last preview stands until the settled bed has come.
 """
 
 from __future__ import annotations
@@ -14,6 +16,7 @@ from ..level.grid import NOWHERE
 from ..level.shaping import Shaped, Shaping, shape_front
 from ..level.shaping_lines import crest_near, dragged
 from . import script as words
+from .shaping_lender import ShapingLender
 
 LABEL = "Shape front"
 MOST_POINTS = 200  # of a line in a script
@@ -25,7 +28,10 @@ class FrontDrag:
     invert = smooth = False
     brush = SimpleNamespace(name="front", layer="height")
 
-    def __init__(self, level: Level, journal: Journal, t: float, at, radius_m: float, slope_deg: float, anew=False):
+    def __init__(
+        self, level: Level, journal: Journal, t: float, at, radius_m: float, slope_deg: float, anew: bool = False,
+        beside: ShapingLender | None = None,
+    ) -> None:  # fmt: skip
         self.level, self.journal, self.t, self.anew = level, journal, t, anew
         self.radius_m, self.slope_deg = radius_m, slope_deg
         found = crest_near(level, t, at, radius_m)
@@ -34,10 +40,17 @@ class FrontDrag:
         self.wave, self.crest = found
         self.grabbed = tuple(float(v) for v in self.crest[np.hypot(*(self.crest - at).T).argmin()])
         self.off = (0.0, 0.0) if anew else (at[0] - self.grabbed[0], at[1] - self.grabbed[1])
-        self.shaping = Shaping(level, t, self.grabbed, radius_m, self.wave, slope_deg, quick=True)
+        self.beside = beside
+        if beside:
+            beside.hold(level, t, self.grabbed, radius_m, self.wave, slope_deg)
+        else:
+            self.shaping = Shaping(level, t, self.grabbed, radius_m, self.wave, slope_deg, quick=True)
         self.line = self.crest
         self.shaped: Shaped | None = None
         self.refused = ""
+        self.settling = False  # released; the bed at rest is on its way
+        self._lines: dict[int, np.ndarray] = {}  # asked for beside, by number
+        self._rest: Shaped | BadInput | None = None  # what came of that
         self.samples: list = []
         self._drawn: list[tuple[float, float]] = []
         self._window = self._disc()
@@ -60,7 +73,7 @@ class FrontDrag:
 
     def move(self, x: float, y: float, pressure: float = 1.0) -> Rect:
         """The hand has come to a world point; returns the cells that changed."""
-        if not self.open or not np.isfinite([x, y]).all():
+        if not self.open or self.settling or not np.isfinite([x, y]).all():
             return NOWHERE
         if self.anew:
             if self._drawn and np.hypot(x - self._drawn[-1][0], y - self._drawn[-1][1]) < self.level.grid.cell_m:
@@ -73,13 +86,61 @@ class FrontDrag:
         return self._follow(dragged(self.crest, self.grabbed, by, self.radius_m))
 
     def _follow(self, line: np.ndarray) -> Rect:
+        if self.beside:
+            self._lines[self.beside.ask(line, quick=True)] = line
+            return NOWHERE
         try:
-            shaped = self.shaping.shape(line)
+            return self._show(line, self.shaping.shape(line))
         except BadInput as error:
             self.refused = str(error)
             return NOWHERE
+
+    def _show(self, line: np.ndarray, shaped: Shaped) -> Rect:
         self.refused, self.line, self.shaped = "", line, shaped
         return self._write(shaped)
+
+    # Beside the window
+
+    def take(self) -> bool:
+        """Bring in what has come from beside; True when the settled bed is there, for `end` to put down."""
+        while self.beside and self.open and self._rest is None and (found := self.beside.take()):
+            self._took(*found)
+        return self._rest is not None
+
+    def _took(self, number: int, answer: Shaped | BadInput | None) -> None:
+        line = self._lines.pop(number, None)
+        if self.settling and number == self._last_asked:
+            if isinstance(answer, BadInput) and self.shaped is not None and self.line is not line:
+                self._ask_rest(self.line)  # the hand's last line can't be: the one before it stays
+            else:
+                self._rest, self.line = answer, line
+        elif isinstance(answer, BadInput):
+            self.refused = str(answer)
+        elif answer is not None and not self.settling:
+            self._show(line, answer)
+        for gone in [asked for asked in self._lines if asked < number]:
+            del self._lines[gone]
+
+    def settle(self) -> bool:
+        """Release without waiting; False where nothing was moved."""
+        if not self.settling and self.open:
+            wanted = self._lines[max(self._lines)] if self._lines else self.line if self.shaped else None
+            if wanted is None:
+                return False
+            self.settling = True
+            self._ask_rest(wanted)
+        return self.settling
+
+    def _ask_rest(self, line: np.ndarray) -> None:
+        said = np.array(_said(line))
+        self._last_asked = self.beside.ask(said, quick=False)
+        self._lines[self._last_asked] = line
+
+    def wait(self) -> None:
+        """Release, and wait for what is asked beside: before anything else is done with the level."""
+        if self.beside and self.settle():
+            while self.open and self._rest is None:
+                self._took(*self.beside.wait())
 
     def _write(self, shaped: Shaped) -> Rect:
         """The ground as it was, and the change on it."""
@@ -98,23 +159,32 @@ class FrontDrag:
     @property
     def word(self) -> words.ShapeFront:
         """What a script says for it."""
-        line = self.line[:: max(1, -(-len(self.line) // MOST_POINTS))]
         return words.ShapeFront(
-            t=self.t, line=[(float(x), float(y)) for x, y in line], radius_m=self.radius_m, at=self.grabbed,
-            wave=self.wave, slope_deg=self.slope_deg,
+            t=self.t, line=_said(self.line), radius_m=self.radius_m, at=self.grabbed, wave=self.wave,
+            slope_deg=self.slope_deg,
         )  # fmt: skip
 
     def end(self) -> Rect:
         """Release: worked out at rest from the word alone, as a script would; one step, none where nothing moved."""
-        moved = self.shaped is not None
+        moved, rest = self.shaped is not None, self._rest
+        if self.open and self.settling and rest is None:
+            self.wait()
+            rest = self._rest
         self.abort()
-        if not moved:
+        if isinstance(rest, BadInput):
+            raise rest
+        if rest is not None:
+            self.shaped = put_down(self.level, self.journal, rest)
+        elif moved and not self.beside:
+            self.shaped = settled(self.level, self.journal, self.word)
+        else:
             return NOWHERE
-        self.shaped = settled(self.level, self.journal, self.word)
         return self.shaped.rect
 
     def abort(self) -> None:
         """Leave no trace."""
+        if self.beside and self.open:
+            self.beside.forget()
         if self.open:
             self.journal.abort()
 
@@ -125,9 +195,19 @@ def settled(level: Level, journal: Journal, word: words.ShapeFront) -> Shaped:
         level, word.t, np.array([point[:2] for point in word.line]), word.radius_m, at=word.at, wave=word.wave,
         slope_deg=word.slope_deg,
     )  # fmt: skip
+    return put_down(level, journal, shaped)
+
+
+def put_down(level: Level, journal: Journal, shaped: Shaped) -> Shaped:
+    """Write a change as a step."""
     with journal.step(LABEL) as step:
         data = level.layers["height"]
         step.save(data, shaped.rect)
         data.array[shaped.rect.slices] += shaped.change
         level.mark("height", shaped.rect)
     return shaped
+
+
+def _said(line: np.ndarray) -> list[tuple[float, float]]:
+    """A line as a script says it."""
+    return [(float(x), float(y)) for x, y in line[:: max(1, -(-len(line) // MOST_POINTS))]]

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..level.grid import Rect
 from ..level.params import Section, param, replace, row
 from ..level.shaping import Shaped
 from . import script as words
 from .front_drag import FrontDrag, settled
+from .shaping_lender import ShapingLender
 from .shot_edits import Shots
 
 
@@ -49,16 +51,39 @@ class FrontEdits(Shots):
         with self._edit(word):
             return settled(self.level, self.journal, word)
 
-    def front_begin(self, x: float, y: float, anew: bool = False) -> FrontDrag:
-        """Take hold of the crest near a world point now; `stroke_move` and `stroke_end` go on."""
+    def front_begin(self, x: float, y: float, anew: bool = False, beside: ShapingLender | None = None) -> FrontDrag:
+        """Take hold of the crest near a world point now; `stroke_move` and `stroke_end` go on.
+
+        With a process beside, `front_take` once a frame and `front_release` instead of the end.
+        """
         self._end_stroke()
         if self.recovery:
             self.recovery.settle()
         front = self.front
         self.stroke = FrontDrag(
-            self.level, self.journal, self.clock.time_s, (x, y), front.radius_m, front.slope_deg, anew
+            self.level, self.journal, self.clock.time_s, (x, y), front.radius_m, front.slope_deg, anew, beside
         )
         return self.stroke
+
+    def front_release(self) -> None:
+        """Let go without waiting: the step comes with a later `front_take`."""
+        held = self.stroke
+        if isinstance(held, FrontDrag) and not (held.beside and held.settle()):
+            self.stroke_end()
+
+    def front_take(self) -> FrontDrag | None:
+        """Bring in what came for the crest in the hand; returns it when it has just become a step, or none."""
+        held = self.stroke
+        if not isinstance(held, FrontDrag) or not held.take():
+            return None
+        self.stroke_end()
+        return held
+
+    def stroke_end(self) -> Rect:
+        """Release: the stroke becomes one step; waits for what is worked out beside."""
+        if isinstance(self.stroke, FrontDrag):
+            self.stroke.wait()  # only then is it known which line a script says
+        return super().stroke_end()
 
     def _stroke_word(self, stroke) -> words.Action:
         return stroke.word if isinstance(stroke, FrontDrag) else super()._stroke_word(stroke)

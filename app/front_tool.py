@@ -34,6 +34,7 @@ class FrontTool:
             self.crest, self._key = None, ()
             return
         radius_m = session.front.radius_m
+        self.editor.shapings.warm()
         near = tuple(int(v // max(0.03 * radius_m, 0.2)) for v in point[:2])
         key = near, radius_m, round(session.clock.time_s, 2), session.level.revision
         if key != self._key:
@@ -49,7 +50,7 @@ class FrontTool:
         if not session.clock.paused:
             session.pause()
         self._last = point[:2]
-        return self.editor.attempt(session.front_begin, *point[:2], anew) is not None
+        return self.editor.attempt(session.front_begin, *point[:2], anew, self.editor.shapings) is not None
 
     def drag(self, point) -> bool:
         """Follow the pointer; False when Esc or an undo has ended it."""
@@ -63,9 +64,5 @@ class FrontTool:
         return True
 
     def release(self) -> None:
-        """One step; what the limits forbade is told."""
-        held = self.drag_now
-        self.editor.attempt(self.editor.session.stroke_end)
-        if held is not None and held.shaped is not None:
-            for short in held.shaped.forbidden[:1]:
-                self.editor.messages.tell(f"The crest is {short.text}")
+        """Let go; the settled bed comes with a later frame (`Editor.tick`)."""
+        self.editor.attempt(self.editor.session.front_release)

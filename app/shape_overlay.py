@@ -44,7 +44,9 @@ class ShapeOverlay:
             for short in held.shaped.forbidden:
                 self._line(line[short.first : short.last + 1], theme.RED, 1.0, 3.6)
                 self._text(line[(short.first + short.last) // 2], short.text)
-        if held.refused:
+        if held.settling:
+            self.overlay.beside_pointer(["updating…"])
+        elif held.refused:
             self.overlay.beside_pointer([held.refused])
         elif held.shaped is not None and len(held.shaped.change):
             change = held.shaped.change

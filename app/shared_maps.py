@@ -58,7 +58,8 @@ def _mapped(thing, kind: type, change):
     if isinstance(thing, kind):
         return change(thing)
     if isinstance(thing, tuple):
-        return tuple(_mapped(one, kind, change) for one in thing)
+        parts = (_mapped(one, kind, change) for one in thing)
+        return type(thing)(*parts) if hasattr(thing, "_fields") else tuple(parts)
     if is_dataclass(thing):
         values = {field.name: getattr(thing, field.name) for field in fields(thing)}
         return replace(thing, **{name: _mapped(value, kind, change) for name, value in values.items()})

@@ -68,7 +68,7 @@ class Viewport:
             overlay.ring(session.cursor, invert, stroke.smooth if stroke else io.key_shift)
             if stroke:
                 overlay.beside_pointer(stroke_text(self.editor.probe()))
-        self.editor.fronts.updating = self.picture.updating
+        self.editor.fronts.updating = self.picture.updating or self.editor.settling
         front_overlay.draw(overlay, self._brushing(hovered))
         if session.tool == FRONT:
             ShapeOverlay(overlay, self.pointer.front).draw()

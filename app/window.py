@@ -194,7 +194,12 @@ class Window:
         params = hello_imgui.get_runner_params()
         if editor.shall_exit:
             params.app_shall_exit = True
-        busy = editor.live or editor.arrivals.busy or (self.picture is not None and self.picture.waiting)
+        busy = (
+            editor.live
+            or editor.arrivals.busy
+            or editor.shapings.busy
+            or (self.picture is not None and self.picture.waiting)
+        )
         params.fps_idling.enable_idling = not busy and self.drive is None
         self._title()
 

@@ -22,11 +22,18 @@ class BrushParams(Section):
         return self.size_m * (1 - self.falloff)
 
 
-class RaiseParams(BrushParams):
+class PaceParams(BrushParams):
+    """What brushes have that sculpt the bed under a front."""
+
+    even_pace: float = param(0.0, 0, 1, "", "How far the bed under the brush comes to run evenly along the way of the"
+                             " waves, so that fronts keep their speed.")  # fmt: skip
+
+
+class RaiseParams(PaceParams):
     strength: float = param(1.0, 0, 1000, "m", "What a stroke adds at full pressure.", soft=(0.05, 10))
 
 
-class SmoothParams(BrushParams):
+class SmoothParams(PaceParams):
     strength: float = param(0.5, 0, 1, "", "Share of the detail that goes with a click, and with each radius of way.")
     detail: float = param(0.2, 0.01, 1, "radii", "Size of the detail that is smoothed away.", soft=(0.05, 0.5))
 
@@ -36,7 +43,7 @@ class FlattenParams(BrushParams):
     side: Literal["both", "cut", "fill"] = param("both", doc="Move ground both ways, only down, or only up.")
 
 
-class RampParams(BrushParams):
+class RampParams(PaceParams):
     size_m: float = param(15.0, 0.01, 100_000, "m", "Half the width.", soft=(2, 150))
     strength: float = param(1.0, 0, 1, "", "How far the ground comes to the grade.")
     falloff: float = param(0.5, 0, 1, "", "Part of the half width over which the shoulders meet the ground.")

@@ -10,8 +10,9 @@ None.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from scipy import ndimage
@@ -62,6 +63,12 @@ class Solver(Protocol):
     """What an editor lends to a level, so that no window waits for a map."""
 
     def answer(self, asked: Asked) -> ArrivalMap | None: ...
+
+    def latest(self) -> ArrivalMap | None:
+        """The last good map while nobody can say yet of which waters the next one is."""
+
+    def beside(self, name: str, key: tuple, request: Callable[[], Any]) -> Any:
+        """The answer of that name and key, worked out by another process; None till it has come."""
 
 
 def swell(level: Level, time_s: float) -> Fronts:
@@ -116,6 +123,8 @@ def arrival(level: Level, time_s: float) -> ArrivalMap | None:
     """When waves come, at a time of a level; None where that follows from the depth alone, or nobody knows yet."""
     if not level.settings.timing.travels:
         return None
+    if level.solver is not None and not level.live and not shore_map(level).whole:
+        return level.solver.latest()
     asked = asked_of(level, time_s)
     if level.solver is not None:
         return level.solver.answer(asked)

@@ -9,14 +9,15 @@ one stays; it settles when the stroke ends.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from scipy import ndimage
 
 from .level import Level
 from .objects import FlowPoint
-from .shore_field import decode_direction, shore_field
+from .settings import Flow
+from .shore_field import ShoreField, decode_direction, shore_field
 
 MOST_SIDE = 513  # samples a side: a current is broad
 SMOOTH_M = 6.0  # the way to the shore turns over this length, or it would show the rays of its distance field
@@ -67,47 +68,86 @@ def current(level: Level) -> Current:
     flow, quiet = (level.layer_revision(name) for name in ("flow", "quiet"))
     settings = level.settings
     key = (id(field), field.revision, flow, quiet, points, settings.flow, settings.quiet.flow)
-    if have is None or have.key != key:
-        have = level.derived["current"] = _make(level, field, points, key)
+    if have is not None and have.key == key:
+        return have
+    if have is None or level.solver is None:
+        made = _request(level, field, points).answered()
+    else:
+        made = level.solver.beside("current", key, lambda: _request(level, field, points))
+        if made is None:
+            return have  # till the new one has come
+    have = level.derived["current"] = replace(made, key=key)
     return have
 
 
-def _make(level: Level, field, points, key: tuple) -> Current:
+@dataclass(frozen=True)
+class CurrentRequest:
+    """All that a current follows from, as a process can carry it: the shore field, paint, points, settings."""
+
+    distance_m: np.ndarray
+    way: np.ndarray  # uint8 `(rows, cols, 2)`, as packed
+    field_cell_m: float
+    range_m: float
+    quiet: np.ndarray
+    painted: np.ndarray
+    cell_m: float
+    points: tuple
+    settings: Flow
+    held: float  # by quiet
+
+    def kept(self) -> CurrentRequest:
+        """With arrays of its own, which no later edit of the level reaches."""
+        arrays = {name: np.array(getattr(self, name)) for name in ("distance_m", "way", "quiet", "painted")}
+        return replace(self, **arrays)
+
+    @property
+    def answer_bytes(self) -> int:
+        """Bytes of the arrays of its answer."""
+        return 6 * 4 * self.quiet.size + (1 << 12)
+
+    def answered(self) -> Current:
+        """The current, worked out now; its key is left to whoever asks."""
+        rows, cols = self.quiet.shape
+        y, x = np.mgrid[0:rows, 0:cols] * self.cell_m
+        distance, to_shore = self._shore(x, y)
+        packed = np.zeros((rows, cols, 4), np.float32)
+        packed[..., 2], packed[..., 3] = self.quiet, distance
+        to_points = None
+        if self.settings.on:
+            wet = np.clip(distance / CALM_M, 0, 1)
+            wet = (wet * wet * (3 - 2 * wet))[..., None]
+            free = (1 - self.held * self.quiet)[..., None]
+            flow, pull = to_shore * self.settings.shore_mps, _to_points(self.points, x, y)
+            flow += pull * self.settings.points
+            flow *= wet
+            if self.points:
+                to_points = (pull * wet * free).astype(np.float32)
+            flow += self.painted * self.settings.painted
+            packed[..., :2] = flow * free
+        return Current(packed, self.cell_m, (), to_points)
+
+    def _shore(self, x, y) -> tuple[np.ndarray, np.ndarray]:
+        """Metres to the shoreline (+ sea) `(rows, cols)`, the smoothed way there `(rows, cols, 2)`: zero on land."""
+        rows, cols = self.distance_m.shape
+        row, col = (np.clip(np.rint(v / self.field_cell_m).astype(int), 0, n - 1) for v, n in ((y, rows), (x, cols)))
+        distance = self.distance_m[row, col]
+        # towards the end of what the field knows the current dies out, or its rim would show
+        known = np.clip((self.range_m - distance) / (FADE * self.range_m), 0, 1) * (distance > 0)
+        way = decode_direction(self.way[row, col]) * known[..., None]
+        sigma = SMOOTH_M / self.cell_m
+        way = np.stack([ndimage.gaussian_filter(way[..., i], sigma, mode="nearest") for i in (0, 1)], -1)
+        share = ndimage.gaussian_filter((distance > 0).astype(np.float64), sigma, mode="nearest")
+        return distance, way / np.maximum(share, 0.2)[..., None]
+
+
+def _request(level: Level, field: ShoreField, points: tuple) -> CurrentRequest:
     settings, grid = level.settings, level.grid
     stride = max(1, math.ceil((max(grid.shape) - 1) / (MOST_SIDE - 1)))
-    cell_m = stride * grid.cell_m
-    rows, cols = ((n - 1) // stride + 1 for n in grid.shape)
-    y, x = np.mgrid[0:rows, 0:cols] * cell_m
-    distance, to_shore = _shore(field, x, y, cell_m)
-    quiet = level.layers["quiet"].read(grid.rect)[::stride, ::stride]
-    packed = np.zeros((rows, cols, 4), np.float32)
-    packed[..., 2], packed[..., 3] = quiet, distance
-    to_points = None
-    if settings.flow.on:
-        wet = np.clip(distance / CALM_M, 0, 1)
-        wet = (wet * wet * (3 - 2 * wet))[..., None]
-        flow, pull = to_shore * settings.flow.shore_mps, _to_points(points, x, y)
-        flow += pull * settings.flow.points
-        flow *= wet
-        if points:
-            to_points = (pull * wet * (1 - settings.quiet.flow * quiet)[..., None]).astype(np.float32)
-        flow += level.layers["flow"].read(grid.rect)[::stride, ::stride] * settings.flow.painted
-        packed[..., :2] = flow * (1 - settings.quiet.flow * quiet)[..., None]
-    return Current(packed, cell_m, key, to_points)
-
-
-def _shore(field, x, y, cell_m: float) -> tuple[np.ndarray, np.ndarray]:
-    """Metres to the shoreline (+ sea) and the smoothed way there, zero on land: `(rows, cols)`, `(rows, cols, 2)`."""
-    rows, cols = field.packed.shape[:2]
-    row, col = (np.clip(np.rint(v / field.cell_m).astype(int), 0, n - 1) for v, n in ((y, rows), (x, cols)))
-    distance = field.distance_m[row, col]
-    # towards the end of what the field knows the current dies out, or its rim would show
-    known = np.clip((field.range_m - distance) / (FADE * field.range_m), 0, 1) * (distance > 0)
-    way = decode_direction(field.packed[row, col, 1:3]) * known[..., None]
-    sigma = SMOOTH_M / cell_m
-    way = np.stack([ndimage.gaussian_filter(way[..., i], sigma, mode="nearest") for i in (0, 1)], -1)
-    share = ndimage.gaussian_filter((distance > 0).astype(np.float64), sigma, mode="nearest")
-    return distance, way / np.maximum(share, 0.2)[..., None]
+    quiet, painted = (level.layers[name].read(grid.rect)[::stride, ::stride] for name in ("quiet", "flow"))
+    return CurrentRequest(
+        field.distance_m, field.packed[..., 1:3], field.cell_m, field.range_m, quiet, painted, stride * grid.cell_m,
+        points, settings.flow, settings.quiet.flow,
+    )  # fmt: skip
 
 
 def _to_points(points, x, y) -> np.ndarray:

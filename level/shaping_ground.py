@@ -35,7 +35,7 @@ class ShapingGround:
         self.level = then = level_at(level, t)
         self.t, self.at, self.radius_m, self.quick = t, at, radius_m, quick
         self.shore, self.share = shore_at(then, t), then.settings.timing.share
-        have = shore_map(then)
+        have = shore_map(then, now=True)
         self.map = have = dataclasses.replace(
             have, bottleneck=have.bottleneck.copy()
         )  # a drag changes that of the level

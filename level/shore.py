@@ -7,9 +7,10 @@ that a settled picture depends on the level alone.
 
 from __future__ import annotations
 
+import functools
 import math
 from collections import deque
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from scipy import ndimage
@@ -19,6 +20,7 @@ from .dual import Dual, step
 from .grid import Rect
 from .level import Level, merge
 from .objects import SeaSeed
+from .settings import Settings
 from .tide import band_m
 
 MOST_SIDE = 1025  # samples a side: larger levels are read with a stride
@@ -83,8 +85,46 @@ class ShoreMap:
         return texels
 
 
-def shore_map(level: Level) -> ShoreMap:
-    """The level's map, up to date with its height; worked out in the changed window only while a step is open."""
+@dataclass(frozen=True)
+class BedRequest:
+    """All that the map follows from, as a process can carry it."""
+
+    depth_m: np.ndarray
+    cell_m: float
+    seeds: tuple
+    settings: Settings
+
+    def kept(self) -> BedRequest:
+        """With arrays of its own, which no later edit of the level reaches."""
+        return replace(self, depth_m=np.array(self.depth_m, np.float32))
+
+    @property
+    def answer_bytes(self) -> int:
+        """Bytes of the arrays of its answer."""
+        return 5 * 4 * self.depth_m.size + (1 << 12)
+
+    def answered(self) -> Bed:
+        """The whole map, worked out now."""
+        depth = self.depth_m
+        start = (depth > 0) & open_edge(depth.shape, self.seeds, self.cell_m)
+        least = _from_the_deep(depth, start, self.settings.shore.range_m)
+        return Bed(_pack(self.settings, depth, least, self.cell_m), least)
+
+
+@dataclass(frozen=True)
+class Bed:
+    """`packed` and `bottleneck` of a map."""
+
+    packed: np.ndarray
+    bottleneck: np.ndarray
+
+
+def shore_map(level: Level, now: bool = False) -> ShoreMap:
+    """The level's map, up to date with its height; worked out in the changed window only while a step is open.
+
+    Where an editor lends a process, it stays as it is till that has the whole of it; `now`: nothing but the whole will
+    do.
+    """
     shore = level.settings.shore
     seeds = sea_seeds(level)
     tide = (level.settings.tide.on, band_m(level.settings)[1])
@@ -92,12 +132,19 @@ def shore_map(level: Level) -> ShoreMap:
     have: ShoreMap | None = level.derived.get("shore_map")
     at = level.layer_revision("height")
     if have is not None and have.key == key:
-        if have.revision == at and (have.whole or level.live):
+        if have.revision == at and (have.whole or (level.live and not now)):
             return have
-        if level.live:
+        if level.live and not now:
             return _update(level, have, at)
-    made = _whole(level, seeds)
-    made.revision, made.key = at, key
+    request = functools.partial(_request, level, seeds)
+    if have is None or have.key != key or level.solver is None or now:
+        bed = request().answered()
+    elif (bed := level.solver.beside("bed", (at, key), request)) is None:
+        have.whole = False
+        return have
+    stride = _stride(level)
+    made = ShoreMap(bed.packed, bed.bottleneck, level.grid.cell_m * stride, stride, at, key)
+    made.tidal = level.settings.tide.on
     if have is not None and have.key == key:
         made.log = have.log
     made.log.append((at, Rect(0, 0, *made.packed.shape[:2])))
@@ -109,13 +156,10 @@ def _stride(level: Level) -> int:
     return max(1, math.ceil((max(level.grid.shape) - 1) / (MOST_SIDE - 1)))
 
 
-def _whole(level: Level, seeds: tuple) -> ShoreMap:
+def _request(level: Level, seeds: tuple) -> BedRequest:
     stride = _stride(level)
-    cell_m = level.grid.cell_m * stride
     depth = level.mean_sea_m - level.height[::stride, ::stride].astype(np.float32)
-    start = (depth > 0) & open_edge(depth.shape, seeds, cell_m)
-    least = _from_the_deep(depth, start, level.settings.shore.range_m)
-    return ShoreMap(_pack(level, depth, least, cell_m), least, cell_m, stride, tidal=level.settings.tide.on)
+    return BedRequest(depth, level.grid.cell_m * stride, seeds, level.settings)
 
 
 def sea_seeds(level: Level) -> tuple:
@@ -146,24 +190,24 @@ def _from_the_deep(depth: np.ndarray, start: np.ndarray, range_m: float) -> np.n
     return least
 
 
-def _pack(level: Level, depth, least, cell_m: float) -> np.ndarray:
+def _pack(settings: Settings, depth, least, cell_m: float) -> np.ndarray:
     """The four channels from depth and the bottleneck depth.
 
     The swash comes as far as the lowest way from the sea stays below the run-up: a tide pool behind a low rim is
     topped, a hollow inland stays still (D03).
     """
-    limit = 1.1 * level.settings.shore.range_m * level.settings.shore.runup + 0.05
-    packed = _packed(level, depth, least, cell_m, limit)
-    if level.settings.tide.on:
+    limit = 1.1 * settings.shore.range_m * settings.shore.runup + 0.05
+    packed = _packed(settings, depth, least, cell_m, limit)
+    if settings.tide.on:
         sea = packed[..., 2] > 0
-        high = _packed(level, depth, least, cell_m, limit + band_m(level.settings)[1])
+        high = _packed(settings, depth, least, cell_m, limit + band_m(settings)[1])
         packed = np.where(sea[..., None], packed, high)
         packed[..., 2] = _wakes(sea, depth, least, limit)
     return packed
 
 
-def _packed(level: Level, depth, least, cell_m: float, limit: float) -> np.ndarray:
-    shore = level.settings.shore
+def _packed(settings: Settings, depth, least, cell_m: float, limit: float) -> np.ndarray:
+    shore = settings.shore
     reached = least > -limit
     clock = np.where(reached, least, depth) if shore.monotone else depth
     sigma = shore.smooth_m / cell_m
@@ -245,4 +289,4 @@ def bed_in(level: Level, have: ShoreMap, window: Rect, depth: np.ndarray, every:
     outer = edge_of_level[window.slices][skip, skip] & (depth > 0)
     marker = np.where(rim, np.where(outer, depth, known), -np.inf).astype(np.float32)
     least = bottleneck(marker, depth)
-    return _pack(level, depth, least, have.cell_m * every), least
+    return _pack(level.settings, depth, least, have.cell_m * every), least

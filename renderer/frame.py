@@ -240,6 +240,7 @@ class Renderer:
         """Upload what changed and work out everything the passes share; `index` counts the samples of a picture."""
         from ..level.arrival import arrival
         from ..level.pins import pinned
+        from ..level.shore import shore_map
         from .uniforms import frame_uniforms
 
         show, row = show or Show(), tier(quality)
@@ -247,7 +248,8 @@ class Renderer:
         self.uploader.sync(level)
         self.uploader.table(shown)
         made = arrival(shown, time_s)
-        self.arriving = made is not None and not made.settled
+        settled = level.live or shore_map(level).whole
+        self.arriving = not settled or (made is not None and not made.settled)
         if made is not None:
             self.uploader.arrival(made)
         self.generated.update(row)

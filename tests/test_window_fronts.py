@@ -1,16 +1,14 @@
 """A crest dragged by a real mouse in the real window (T07)."""
 
 import pytest
-import test_window
 from test_window import display, drive, ground  # noqa: F401 (fixtures)
 
 pytestmark = pytest.mark.window
 
 
-def test_drag_a_crest(drive, monkeypatch):  # noqa: F811
+def test_drag_a_crest(drive):  # noqa: F811
     """T07, T01: pauses, grabs a crest, the bed follows live; one step; time runs on; undo; Esc."""
-    monkeypatch.setattr(test_window, "DRIVE", test_window.DRIVE.with_name("window_fronts.py"))
-    found = drive("shape")
+    found = drive("shape", by="window_fronts.py")
     assert found["tool"] == "front"
     assert found["ran"]
     assert found["highlighted"]
@@ -32,18 +30,16 @@ def test_drag_a_crest(drive, monkeypatch):  # noqa: F811
     assert found["larger"] > 30
 
 
-def test_draw_a_crest(drive, monkeypatch):  # noqa: F811
+def test_draw_a_crest(drive):  # noqa: F811
     """T07: Shift draws the line anew; one step."""
-    monkeypatch.setattr(test_window, "DRIVE", test_window.DRIVE.with_name("window_fronts.py"))
-    found = drive("anew")
+    found = drive("anew", by="window_fronts.py")
     assert found["drawing"]
     assert len(found["line"]) >= 3
     assert found["drawn"] == ["Shape front"]
     assert found["drawn_ground"] != found["start"]
 
 
-def test_what_limits_forbid_is_told(drive, monkeypatch):  # noqa: F811
+def test_what_limits_forbid_is_told(drive):  # noqa: F811
     """T07: a slope limit leaves the crest short by so many metres."""
-    monkeypatch.setattr(test_window, "DRIVE", test_window.DRIVE.with_name("window_fronts.py"))
-    (told, *_) = drive("held")["forbidden"]
+    (told, *_) = drive("held", by="window_fronts.py")["forbidden"]
     assert "m short: slope limit" in told

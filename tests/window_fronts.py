@@ -31,6 +31,17 @@ def _ready(hands: Hands) -> None:
     hands.key(imgui.Key.c)
 
 
+def _until(hands: Hands, done) -> None:
+    """Let frames pass until what is worked out beside the window has come."""
+    hands.until(done, lambda: hands.ctx.yield_(10), tries=400)
+
+
+def _let_go(hands: Hands) -> None:
+    hands.release()
+    hands.note(waits=hands.session.stroke is not None and hands.session.stroke.settling)
+    _until(hands, lambda: hands.session.stroke is None)
+
+
 def shape(hands: Hands) -> None:
     """Drags a crest seaward while time runs, lets time run on, undoes; then Esc in mid-drag."""
     session, viewport = hands.session, hands.window.viewport
@@ -44,8 +55,9 @@ def shape(hands: Hands) -> None:
     x, y = PLACE
     for way_m in (3.0, 6.0):
         hands.move(_part(hands, x, y - way_m))
+    _until(hands, lambda: held.shaped is not None)
     hands.note(during=hands.height(), line=held.shaped is not None)
-    hands.release()
+    _let_go(hands)
     hands.note(after=hands.height(), steps=[s.label for s in session.journal.done],
                left_m=float(np.quantile(held.shaped.left_m, 0.95)))  # fmt: skip
     time_s = session.clock.time_s
@@ -56,6 +68,7 @@ def shape(hands: Hands) -> None:
     hands.note(undone=hands.height(), left_steps=len(session.journal.done))
     hands.press(_part(hands, x, y))
     hands.move(_part(hands, x, y - 5.0))
+    _until(hands, lambda: session.stroke.shaped is not None)
     hands.note(before_escape=hands.height())
     hands.key(imgui.Key.escape)
     hands.move(_part(hands, x, y - 8.0))
@@ -75,8 +88,9 @@ def anew(hands: Hands) -> None:
     hands.press(_part(hands, x - 10, y - 3))
     for off in (-6, -2, 2, 6, 10):
         hands.move(_part(hands, x + off, y - 3))
+    _until(hands, lambda: session.stroke.shaped is not None)
     hands.note(drawing=session.stroke.anew, line=[list(point) for point in session.stroke.line])
-    hands.release()
+    _let_go(hands)
     ctx.key_up(int(SHIFT))
     hands.note(drawn=[s.label for s in session.journal.done], drawn_ground=hands.height())
 
@@ -90,6 +104,7 @@ def held(hands: Hands) -> None:
     hands.press(_part(hands, x, y))
     for way_m in (3.0, 9.0):
         hands.move(_part(hands, x, y - way_m))
+    _until(hands, lambda: session.stroke.shaped is not None and not hands.editor.shapings.busy)
     hands.settle()
     hands.note(forbidden=[short.text for short in session.stroke.shaped.forbidden])
 

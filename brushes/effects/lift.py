@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from . import Effect, Piece
+from .even_pace import EvenPace
 
 
 class Raise(Effect):
@@ -12,10 +13,20 @@ class Raise(Effect):
 
     sign = 1.0
 
+    def begin(self, canvas, row: float, col: float) -> None:
+        self.shape = canvas.data.grid.shape
+        self.even = EvenPace(self.params.even_pace, self.footprint.radius) if self.params.even_pace else None
+
+    def prepare(self, canvas, rect, link) -> None:
+        if self.even:
+            self.even.prepare(canvas, rect, link)
+
     def write(self, piece: Piece) -> None:
         amount = self.amount * np.float32(-self.sign if self.invert else self.sign)
         np.multiply(piece.mask, amount, out=piece.spare)
         np.add(piece.base, piece.spare, out=piece.live)
+        if self.even:
+            piece.live += self.even.total(piece, self.shape)
 
 
 class Lower(Raise):

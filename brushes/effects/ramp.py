@@ -9,6 +9,7 @@ import numpy as np
 from ...level.loop import looped_shore
 from ...level.shore_waves import front_speed_mps
 from . import Effect, Piece, one_sided
+from .even_pace import EvenPace
 
 LEVEL_GRADE = 1e-4  # a bed this flat has no front speed worth telling
 
@@ -20,9 +21,12 @@ class Ramp(Effect):
 
     def begin(self, canvas, row: float, col: float) -> None:
         self.low = canvas.sample(row, col)
+        self.even = EvenPace(self.params.even_pace, self.footprint.radius) if self.params.even_pace else None
 
     def prepare(self, canvas, rect, link) -> None:
         self.link = link
+        if self.even:
+            self.even.prepare(canvas, rect, link, base=True, once=True)
         self.high = canvas.sample(link.row1, link.col1)
         self.grade = (self.high - self.low) / np.float32(link.length)
         to_row, to_col = link.heading
@@ -45,6 +49,8 @@ class Ramp(Effect):
         np.multiply(change, piece.weight, out=change)
         np.multiply(change, self.amount, out=change)
         np.add(piece.base, change, out=piece.live)
+        if self.even:  # what the grade leaves
+            piece.live += self.even.change(piece) * np.float32(1 - self.amount)
 
     def _heights(self, piece: Piece) -> np.ndarray:
         """What the grade asks for, in `piece.spare`."""

@@ -7,11 +7,11 @@ Beyond the level's border the ground is continued by point reflection, which nei
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from . import Effect, Piece
+from .even_pace import EvenPace
+from .mean import cascade, mean_minus
 
 MOST = 0.98  # of the detail that a dab takes at strength 1
 LEAST = 1e-6  # a fainter stroke leaves nothing to be undone
@@ -24,7 +24,13 @@ class Smooth(Effect):
     def masked(cls, params, invert: bool) -> bool:
         return invert  # sharpening what is already sharpened would run away, so it starts from the base
 
+    def begin(self, canvas, row: float, col: float) -> None:
+        self.shape = canvas.data.grid.shape
+        self.even = EvenPace(self.params.even_pace, self.footprint.radius) if self.params.even_pace else None
+
     def prepare(self, canvas, rect, link) -> None:
+        if self.even:
+            self.even.prepare(canvas, rect, link)
         steps = cascade(self.params.detail * self.footprint.radius, min(canvas.data.grid.shape))
         self.rect = rect
         self.rate = np.float32(self.amount if self.invert else self.params.opacity * self._share(link))
@@ -54,40 +60,10 @@ class Smooth(Effect):
         if self.invert:
             np.multiply(change, piece.mask, out=change)
             np.subtract(piece.base, change, out=piece.live)
+            if self.even:
+                piece.live += self.even.total(piece, self.shape)
         else:
             np.multiply(change, piece.weight, out=change)
             np.add(piece.live, change, out=piece.live)
-
-
-def cascade(reach: float, side: int) -> list[int]:
-    """Steps of the cascade for a reach in cells, each at most twice the next, the last 1; narrower on a small level."""
-    step = max(1, min(round(reach), (side - 1) // 4))
-    steps = [step]
-    while step > 1:
-        step = math.ceil(step / 2)
-        steps.append(step)
-    return steps
-
-
-def mean_minus(window: np.ndarray, steps: list[int]) -> np.ndarray:
-    """Weighted mean of the neighbours minus the sample; `window` has a border of sum(steps) more than the result.
-
-    Samples are taken relative to the middle one: on high ground float32 would otherwise lose the small shapes.
-    """
-    border = sum(steps)
-    window -= window[window.shape[0] // 2, window.shape[1] // 2]
-    mean = window
-    for step in steps:
-        mean = _tap(mean[: -2 * step], mean[step:-step], mean[2 * step :])
-        mean = _tap(mean[:, : -2 * step], mean[:, step:-step], mean[:, 2 * step :])
-    mean -= window[border:-border, border:-border]
-    return mean
-
-
-def _tap(before: np.ndarray, here: np.ndarray, after: np.ndarray) -> np.ndarray:
-    """(before + 2 here + after) / 4, exact where the three are equal."""
-    out = before + after
-    out *= np.float32(0.5)
-    out += here
-    out *= np.float32(0.5)
-    return out
+            if self.even:
+                piece.live += self.even.change(piece)

@@ -11,7 +11,8 @@ import numpy as np
 
 from ...level.layers import LAYERS
 from . import Effect, Piece
-from .smooth import MOST, cascade, mean_minus
+from .mean import cascade, mean_minus
+from .smooth import MOST
 
 CHANNELS = LAYERS["weather"].channels[:3]
 DETAIL = 0.25  # of the radius, that smoothing takes away
