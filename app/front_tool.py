@@ -19,6 +19,7 @@ class FrontTool:
         self.editor = editor
         self.crest: np.ndarray | None = None
         self._key: tuple = ()
+        self._seen: tuple = ()  # the level as it was a frame ago
         self._last = (0.0, 0.0)
 
     @property
@@ -35,6 +36,9 @@ class FrontTool:
             return
         radius_m = session.front.radius_m
         self.editor.shapings.warm()
+        seen, self._seen = self._seen, (id(session.level), session.level.revision)
+        if seen != self._seen:
+            return  # a frame in which the level changed has enough to do
         near = tuple(int(v // max(0.03 * radius_m, 0.2)) for v in point[:2])
         key = near, radius_m, round(session.clock.time_s, 2), session.level.revision
         if key != self._key:

@@ -54,7 +54,8 @@ class Pointer:
             self.editor.session.sky_cursor = self._pick_sky(where, size)
         elif not self.mode:
             self.editor.session.cursor = self.editor.session.sky_cursor = None
-        self.front.hover(self.grip.surface(where, size) if hovered and valid and not self.mode else None)
+        free = hovered and valid and not self.mode and not imgui.is_mouse_clicked(LEFT)  # a press looks by itself
+        self.front.hover(self.grip.surface(where, size) if free else None)
         if not self.mode and hovered and valid:
             self._press(io, where, size)
             if io.mouse_wheel and not self.mode:

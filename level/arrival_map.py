@@ -82,13 +82,14 @@ class ArrivalMap:
         in_x, in_y = u == ui, v == vi
         return Breaks(*(Dual(found.v[..., i], found.dx[..., i] * in_x, found.dy[..., i] * in_y) for i in range(4)))
 
-    def at(self, x, y) -> Passing:
-        """What passes world points (arrays)."""
+    def at(self, x, y, heights: bool = True) -> Passing:
+        """What passes world points (arrays); without `heights` only when: no gains, a height of 0."""
         (rows, cols), x, y = self.shape, np.asarray(x, np.float64), np.asarray(y, np.float64)
         u, v = x / self.cell_m, y / self.cell_m
         ui, vi = np.clip(u, 0, cols - 1), np.clip(v, 0, rows - 1)
         out_x, out_y = (u - ui) * self.cell_m, (v - vi) * self.cell_m
-        times, heights = (self._spline(block, ui, vi) for block in (TIMES, HEIGHTS))
+        times = self._spline(TIMES, ui, vi)
+        high = self._spline(HEIGHTS, ui, vi) if heights else None
         times = times.v + times.dx * out_x[..., None] + times.dy * out_y[..., None], times.dx, times.dy
         away = np.hypot(out_x, out_y)
         reach = np.maximum(away, 1e-6)
@@ -98,10 +99,11 @@ class ArrivalMap:
             cycles = Dual(*(part[..., i] for part in times)) * (1 / self.period_s[i])
             cycles, lies = self._joined(i, cycles, beyond, x, y)
             swells.append(cycles)
-            gain = Dual(*(part[..., 1 + i] for part in (heights.v, heights.dx, heights.dy)))
-            gains.append((gain + (1.0 - gain) * beyond) * lies)
+            if high is not None:
+                gain = Dual(*(part[..., 1 + i] for part in (high.v, high.dx, high.dy)))
+                gains.append((gain + (1.0 - gain) * beyond) * lies)
         shore = Dual(*(part[..., 3] for part in times)) * (1 / self.period_s[0])
-        lead = Dual(*(part[..., 0] for part in (heights.v, heights.dx, heights.dy)))
+        lead = Dual(0.0) if high is None else Dual(*(part[..., 0] for part in (high.v, high.dx, high.dy)))
         return Passing(tuple(swells), shore, tuple(gains), lead)
 
     def _joined(self, i: int, cycles: Dual, beyond: Dual, x, y) -> tuple[Dual, np.ndarray]:

@@ -40,7 +40,7 @@ def phase_at(level: Level, t: float, x, y, pinned: bool = True) -> tuple[Dual, n
         return t / shore.interval_s + early - by_depth - s * s_cycles(shore), here & (s.v > 0) & (s.v < 1)
     s = 1.0 - bed["smoothed"] * (1 / shore.range_m)
     bend = phase_noise(then.settings.sea, swell(then, t), 0, x, y) + late
-    way = Travel.of(made.at(x, y), bend, then.settings.timing.share)
+    way = Travel.of(made.at(x, y, heights=False), bend, then.settings.timing.share)
     return t / shore.interval_s - lead_arrival(shore, s, early * step(0.0, 1.0, s) - by_depth, way), here & (s.v < 1)
 
 

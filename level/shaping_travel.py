@@ -91,9 +91,9 @@ class Times:
 
     def at(self, points: np.ndarray) -> Passing:
         """What passes points (n, 2): known times, plus what the same coarse solver says has changed."""
-        passing = self.now.at(*points.T)
+        passing = self.now.at(*points.T, heights=False)
         if not self._fine:
-            known, was = self._plain(True)[1].at(*points.T), self._plain(False)[1].at(*points.T)
+            known, was = (self._plain(which)[1].at(*points.T, heights=False) for which in (True, False))
             for mine, fine, coarse in ((passing.swells[0], known.swells[0], was.swells[0]),
                                        (passing.shore, known.shore, was.shore)):  # fmt: skip
                 mine.v = mine.v + fine.v - coarse.v

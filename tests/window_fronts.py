@@ -1,7 +1,5 @@
 """Scenarios of fronts shaped by hand in the real window, for test_window_fronts.py (T07)."""
 
-import sys
-
 import numpy as np
 import window_drive
 from imgui_bundle import hello_imgui, imgui
@@ -110,6 +108,4 @@ def held(hands: Hands) -> None:
 
 
 if __name__ == "__main__":
-    window_drive.__dict__.update(shape=shape, anew=anew, held=held)
-    sys.argv[0] = window_drive.__file__
-    window_drive.main()
+    window_drive.main(globals())
