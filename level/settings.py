@@ -99,6 +99,10 @@ class Shore(Section):
     runup_variety: float = param(
         0.0, 0, 1, "", "How much shorter of the run-up limit a low wave stops than a tall one.", soft=(0, 0.6)
     )
+    runup_by_slope: float = param(
+        0.0, 0, 1, "", "How far, by travel time, swell and slope of the beach say how high the swash reaches, "
+        "up to the run-up limit (Hunt 1959).",
+    )  # fmt: skip
     stagger: float = param(
         0.0, 0, 2, "", "How far waves arrive earlier or later along the shore, in intervals.", soft=(0, 1)
     )

@@ -158,6 +158,8 @@ def shore_masks(
         lift = lift + body * tall
     arrived = _arrived(shore, clock, early, travel)
     run = _swash(shore, clock, arrived, values, x, y)
+    if travel is not None and shore.runup_by_slope > 0:
+        run = run * slope_reach(shore, travel.breaks.runup_m, travel.share)
     edge, rise = 1.0 + shore.runup * run.v, run * (shore.range_m * shore.runup)
     drop = bed["depth"] - bed["clock"]  # how far the bed lies below the rim that its waves came over
     # Behind a rim the swash rises only while it tops the rim; on an open beach drop is 0 and this is 1.
@@ -259,6 +261,13 @@ def _swash(shore: Shore, clock: dict, arrived: Dual, values: np.ndarray, x, y) -
     going_up = q.v < up
     run = Dual(*(np.where(going_up, m, n) for m, n in zip(_parts(rising), _parts(falling), strict=True)))
     return run * reach
+
+
+def slope_reach(shore: Shore, runup_m: Dual, share: float) -> Dual:
+    """Part of the run-up limit that waves reach at all, by the run-up on a beach of this slope; never more than 1."""
+    part = runup_m * (1 / max(shore.range_m * shore.runup, 1e-3))
+    part = Dual(*(np.where(part.v < 1, low, high) for low, high in zip(_parts(part), (1.0, 0.0, 0.0), strict=True)))
+    return 1.0 + (part - 1.0) * (shore.runup_by_slope * share)
 
 
 def _parts(x: Dual) -> tuple:

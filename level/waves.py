@@ -126,7 +126,9 @@ def _shore_waves(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap 
     way = None
     if made is not None:
         bend = later(level, t, x, y, phase_noise(settings.sea, fronts[-1], 0, x, y))
-        way = Travel.of(made.at(x, y), bend, share, *((made.steep(x, y), made.breaks(x, y)) if breaks else ()))
+        asked = breaks or settings.shore.runup_by_slope > 0
+        steep, found = made.steep(x, y) if breaks else None, made.breaks(x, y) if asked else None
+        way = Travel.of(made.at(x, y), bend, share, steep, found)
     steep = second_order(shore.packed[..., 3], shore.cell_m, x, y) if breaks else None
     values, loop_s = lattice(settings.level.seed), settings.time.loop_s
     masks = shore_masks(
@@ -257,6 +259,7 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_shore_variety": shore.variety,
         "u_shore_variety_m": shore.variety_m,
         "u_shore_runup_variety": shore.runup_variety,
+        "u_shore_runup_by_slope": shore.runup_by_slope,
         "u_shore_interval_s": shore.interval_s,
         "u_shore_stagger": shore.stagger,
         "u_shore_count": shore.count,

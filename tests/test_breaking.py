@@ -272,7 +272,7 @@ def test_shader_and_twin_agree_on_waves_that_break(ctx, t, source):
     """D34 H23 D30: 10,000 random points within a millimetre, lateral too, at t = 0 and after a week."""
     level = make_beach(rows=513, cols=769, cell_m=2.0, slope=0.06, rough_m=0.1)
     level.set("timing.source", source)
-    for name, value in {"plunge": 1.0, "stagger": 0.4, "runup_variety": 0.7}.items():
+    for name, value in {"plunge": 1.0, "stagger": 0.4, "runup_variety": 0.7, "runup_by_slope": 0.8}.items():
         level.set(f"shore.{name}", value)
     at = np.random.default_rng(9).uniform((0.0, 0.3), (1.0, 0.55), (10_000, 2)) * np.array(level.grid.extent_m)
     at = at.astype(np.float32)
@@ -286,7 +286,26 @@ def test_shader_and_twin_agree_on_waves_that_break(ctx, t, source):
     stale = (got[:, 12] > -1.0) != (want.shore.progress > -1.0)
     assert stale[want.shore.line + want.shore.back + want.shore.fall > 0.02].mean() < 4e-3
     assert np.abs(got[:, 13] - want.shore.white).max() < 1e-2
+    assert np.abs(got[:, 11] - want.shore.edge_s).max() < 1e-3
     moved = np.hypot(*(part.v for part in want.shore.shift))
     assert moved.max() > 0.3
     near = np.abs(want.normal[:, 2]) > 0.05
     assert np.abs(got[:, 7] - want.normal[:, 0])[near].max() < 2e-2
+
+
+@pytest.mark.parametrize("slope", [0.03, 0.08])
+def test_the_swash_reaches_as_high_as_the_slope_says(slope):
+    """D10 T06: with `shore.runup_by_slope` it turns at Hunt's run-up for this beach, never past the run-up limit."""
+    level = breaking_beach(slope, source="travel_time", plunge=0.0)
+    made, x = arrival(level, 0.0), np.full(400, 32.0)
+    limit_m = level.settings.shore.range_m * level.settings.shore.runup
+    runup_m = made.breaks(np.array([32.0]), np.array([128.0])).runup_m.v[0]
+    y, times = np.linspace(126.0, 128.0 + limit_m / slope, 400), np.linspace(0, made.period_s[0], 60)
+    tops = {}
+    for by_slope in (0.0, 1.0):
+        level.set("shore.runup_by_slope", by_slope)
+        tops[by_slope] = max(float((surface_at(level, t, x, y).shore.edge_s - 1).max()) for t in times)
+    limit = level.settings.shore.runup
+    assert tops[0.0] == pytest.approx(limit, rel=0.02)
+    assert tops[1.0] == pytest.approx(limit * min(runup_m / limit_m, 1.0), rel=0.03)
+    assert (tops[1.0] < 0.8 * limit) == (slope < 0.05)

@@ -154,3 +154,18 @@ def test_nothing_pops_when_a_new_wave_begins(renderer, shore, view, settings):
     for time_s in [*(40 + np.array(wraps)), *rng.uniform(20, 200, 5)]:
         before, after = (seen(shore, renderer, view, time_s + step, size=(32, 32)) for step in (0.0, 0.02))
         assert np.abs(after - before).max() < 0.13
+
+
+def test_sand_is_wet_as_high_as_the_slope_lets_waves_run(renderer, shore):
+    """L06 D10: with `shore.runup_by_slope` sand and sheet have one limit, here lower than that of the range."""
+    shore.set("timing.source", "travel_time")
+    shore.set("sea.swell_m", 0.4)
+    shore.set("shore.height_m", 0.3)
+    at, highest = ground(shore, renderer), {}
+    for by_slope in (0.0, 1.0):
+        shore.set("shore.runup_by_slope", by_slope)
+        film = seen(shore, renderer, "film", 31.4)[..., 0]
+        since = uncovered_since(shore, at, 31.4, back_s=18.0)
+        assert film[np.isinf(since) & (at[2] > 0.1)].max(initial=0) < 0.05
+        highest[by_slope] = at[2][np.isfinite(since)].max()
+    assert highest[1.0] < highest[0.0] - 0.1

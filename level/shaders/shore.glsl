@@ -12,7 +12,7 @@ uniform int u_shore_turns;      // after so many waves the same ones come again;
 uniform int u_shore_count;
 uniform float u_shore_range_m, u_shore_width, u_shore_gap, u_shore_runup, u_shore_back, u_shore_fall;
 uniform float u_shore_height_m, u_shore_draw_m, u_shore_fade_in, u_shore_fade_out;
-uniform float u_shore_variety, u_shore_variety_m, u_shore_runup_variety, u_shore_stagger, u_shore_uprush;
+uniform float u_shore_variety, u_shore_variety_m, u_shore_runup_variety, u_shore_runup_by_slope, u_shore_stagger, u_shore_uprush;
 uniform float u_shore_on, u_shore_vertex;
 
 const float SWASH_S = 0.55;
@@ -127,6 +127,18 @@ vec3 swash_run(vec3 q) {
 // Where the wave of this number turns, against the run-up limit.
 vec3 swash_reach(vec2 xy, int wave) { return d_const(1.0) - wave_noise(xy, wave) * u_shore_runup_variety; }
 
+// Part of the run-up limit that waves reach at all, by the slope of the beach; a dual.
+vec3 slope_reach(vec2 xy) {
+#ifdef TRAVEL_TIME
+    if (u_shore_runup_by_slope <= 0.0) return d_const(1.0);
+    vec3 part = breaks_at(xy).runup_m / max(u_shore_range_m * u_shore_runup, 1e-3);
+    part = part.x < 1.0 ? part : d_const(1.0);
+    return d_const(1.0) + (part - d_const(1.0)) * (u_shore_runup_by_slope * u_arrival_share);
+#else
+    return d_const(1.0);
+#endif
+}
+
 // How far the swash has run, 0 at the still water line, 1 at the run-up limit.
 vec3 shore_swash(vec2 xy, vec3 arrived) {
     int wave = u_shore_cycle * u_shore_count + int(floor(arrived.x));
@@ -237,7 +249,7 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     m.a *= u_shore_on;
     m.b *= u_shore_on;
     m.lift = d_mul(m.lift, along) * u_shore_height_m;
-    vec3 run = shore_swash(xy, arrived);
+    vec3 run = d_mul(shore_swash(xy, arrived), slope_reach(xy));
     vec3 rise = run * (u_shore_range_m * u_shore_runup);
     // Behind a rim the swash rises only while it tops the rim; on an open beach drop is 0 and this is 1.
     vec3 over = rise + bed.clock + (d_const(1.0) - d_step(0.0, POOL_M, drop)) * POOL_M;

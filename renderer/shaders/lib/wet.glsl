@@ -81,6 +81,7 @@ Wet shore_wet(vec2 xy, float height, float pixel_m) {
     float arrived = swash_arrived(xy, shore_early(xy, beach_at(xy).sway)).x;
     int wave = u_shore_cycle * u_shore_count + int(floor(arrived));
     float h = max(height - CREEP_M * grain.x, 0.0);
+    top *= slope_reach(xy).x;
     // what older waves left on the whole, by how many of them come so high
     float often = 1.0 - smoothstep(0.96 - 0.6 * u_shore_runup_variety, 1.0 - 0.1 * u_shore_runup_variety, h / top);
     Wet sum = Wet(often * exp((0.5 - float(u_wet_waves)) * u_shore_interval_s / u_wet_dry_s), 0.0, 0.0);
