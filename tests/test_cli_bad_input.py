@@ -123,6 +123,16 @@ BAD = {
         ["nowhere.shore", "wedge.obj", "--at", "1,1"],
         ["taken.shore", "wedge.obj", "--at", "1,1"],
     ],
+    "timing": [
+        ["beach.shore"],
+        ["nowhere.shore", "-o", "out"],
+        ["beach.shore", "-o", "out", "--time", "soon"],
+        ["beach.shore", "-o", "out", "--source", "tea"],
+        ["beach.shore", "-o", "out", "--swell", "9"],
+        ["beach.shore", "-o", "out", "--swell", "900,20"],
+        ["beach.shore", "-o", "out", "--every", "-1"],
+        ["beach.shore", "-o", "beach.shore"],
+    ],
     "weather": [
         ["bogus"],
         ["import"],
