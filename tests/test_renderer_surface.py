@@ -39,7 +39,7 @@ def test_drawn_surface_is_the_twins_within_3_cm(renderer, quality, time_s, place
 @pytest.mark.parametrize("name", ["cove", "island"])
 @pytest.mark.parametrize("where", ["beach", "play"])
 def test_drawn_surface_of_the_sample_levels_is_the_twins_within_3_cm(renderer, name, where):
-    """The same among the rocks of a real coast (D30)."""
+    """The same among the rocks of a real coast (D30); where waves that break carry it, 95 % within 5 cm (D34)."""
     level = read_level(SAMPLES / f"{name}.shore")
     place = level.camera(where)
     options = {"size": (256, 144), "time_s": 12.0, "linear": True, "renderer": renderer}
@@ -49,7 +49,10 @@ def test_drawn_surface_of_the_sample_levels_is_the_twins_within_3_cm(renderer, n
     near_sea = (is_sea(material)) & (away < 100)
     assert near_sea.sum() > 1000
     x, y, z = position[near_sea].T
-    assert np.abs(sea_at(level, 12.0, x, y).height_m - z).max() < 0.03
+    twin = sea_at(level, 12.0, x, y)
+    error, carried_m = np.abs(twin.height_m - z), np.hypot(*(part.v for part in twin.shore.shift))
+    assert error[carried_m < 0.02].max() < 0.03
+    assert np.quantile(error[carried_m >= 0.02], 0.95) < 0.05
 
 
 def test_before_and_after_coordinates_agree_with_the_twin(renderer):
