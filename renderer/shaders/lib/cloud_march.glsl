@@ -112,7 +112,7 @@ float cloud_extinction_in(Air air, float t) {
 void cloud_add(vec3 source, float extinction, float t, float step_m, inout March m) {
     float through = exp(-extinction * step_m), seen = m.transmittance * (1.0 - through);
     // dense cloud too ends without a line: even steps of the angle over the horizon, which goes as one over the distance
-    float faded = seen * clamp((FADE * u_cloud_reach_m / t - FADE) / (1.0 - FADE), 0.0, 1.0);
+    float faded = seen * clamp((FADE * u_cloud_reach_m / max(t, 1.0) - FADE) / (1.0 - FADE), 0.0, 1.0);
     m.light += source * faded;
     m.shown += faded;
     m.depth_m += t * seen;
@@ -170,6 +170,6 @@ March cloud_march(vec3 dir, float start) {
         m.light /= 1.0 - m.transmittance;
         m.shown /= 1.0 - m.transmittance;
     }
-    m.transmittance = 1.0 - m.shown;
+    m.transmittance = max(1.0 - m.shown, 0.0);
     return m;
 }
