@@ -71,6 +71,8 @@ def outline(shot: Shot, first_s: float, last_s: float) -> list[tuple[float, floa
 
 def sentence(thing: Placed) -> str:
     """What a mark stands for, on a line."""
+    if thing.kind == "marker":
+        return f"{thing.id}: {thing.time_s:g} s"
     if not isinstance(thing, Shot):
         where = f" within {thing.radius_m / 1000:g} km" if thing.radius_m else ""
         return f"{thing.id}: {thing.weather}{where} from {thing.time_s:g} s on, there after {thing.fade_s:g} s"
