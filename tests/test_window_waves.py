@@ -1,18 +1,14 @@
 """The real window: a wave object dropped, moved, turned, sized, bent and aimed by the mouse (H08 H09)."""
 
-from pathlib import Path
-
 import pytest
-import test_window
 from test_window import display, drive  # noqa: F401
 
 pytestmark = pytest.mark.window
 
 
-def test_a_wave_object_is_worked_by_the_mouse(drive, monkeypatch):  # noqa: F811
+def test_a_wave_object_is_worked_by_the_mouse(drive):  # noqa: F811
     """H08, H09: each drag changes its own field and is one step; the fit is one more."""
-    monkeypatch.setattr(test_window, "DRIVE", Path(__file__).with_name("window_waves.py"))
-    found = drive("wave_object")
+    found = drive("wave_object", by="window_waves.py")
     assert found["bad"] == []
     assert found["dropped"] == "wave-1"
     assert found["steps"] == ["Place wave-1"]
