@@ -9,7 +9,7 @@ import numpy as np
 from .level import Level
 from .loop import turns
 from .noise import LATTICE, lattice
-from .shore_waves import _wave_noise
+from .shore_waves import wave_noise
 from .surf import TYPES, breaker_type
 from .timing import Clock, Passage, passage
 
@@ -65,7 +65,7 @@ def _tall(clock: Clock, x: float, y: float, number: int) -> float:
     shore = clock.shore
     wave = np.array([number % (shore.count * LATTICE * 64)])
     again = {"u_shore_turns": turns(shore.interval_s, clock.level.settings.time.loop_s)}
-    noise = _wave_noise(shore, again, lattice(clock.level.settings.level.seed), np.array([x]), np.array([y]), wave)
+    noise = wave_noise(shore, again, lattice(clock.level.settings.level.seed), np.array([x]), np.array([y]), wave)
     return float(1.0 - noise.v[0] * shore.variety)
 
 

@@ -143,9 +143,9 @@ def shore_masks(
     breaks = None
     if steep is not None and shore.plunge > 0:
         breaks = BreakingWaves.begun(shore, s_cycles(shore), s_body, steep, travel and travel.swell(shore, s_body))
-    along = _height_along(s_body, travel)
+    along = height_along(s_body, travel)
     for u, u_body, f, wave in _fronts(shore, clock, s, s_body, early, travel):
-        tall = 1.0 - _wave_noise(shore, clock, values, x, y, wave) * shore.variety
+        tall = 1.0 - wave_noise(shore, clock, values, x, y, wave) * shore.variety
         a_here, b_here, *here = _wave(shore, u, f.v)
         masks = [np.maximum(old, new) for old, new in zip(masks, here, strict=True)]
         closer = np.abs(u) < nearest
@@ -219,7 +219,7 @@ def _body(shore: Shore, u: Dual, f: Dual) -> Dual:
     return shape * fade
 
 
-def _height_along(s: Dual, travel: Travel | None) -> Dual:
+def height_along(s: Dual, travel: Travel | None) -> Dual:
     """Shoaling and breaking as a shape over s: fronts rise on the way in and are spent at the water line."""
     shape = (step(0.0, BREAK_S, s) * 0.7 + 0.3) * (1.0 - step(BREAK_S, 1.0, s))
     return shape if travel is None else shape + (travel.height - shape) * travel.share
@@ -230,7 +230,7 @@ def _looped(clock: dict, wave):
     return np.mod(wave, clock["u_shore_turns"]) if clock["u_shore_turns"] else wave
 
 
-def _wave_noise(shore: Shore, clock: dict, values: np.ndarray, x, y, wave) -> Dual:
+def wave_noise(shore: Shore, clock: dict, values: np.ndarray, x, y, wave) -> Dual:
     """0 … 1 along the shore for the wave of this number: what it lacks in height and in reach."""
     wave = _looped(clock, wave)
     return value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
@@ -253,7 +253,7 @@ def _swash(shore: Shore, clock: dict, arrived: Dual, values: np.ndarray, x, y) -
     number = np.floor(arrived.v)
     q = arrived - Dual(number)
     wave = clock["u_shore_cycle"] * shore.count + number.astype(np.int64)
-    reach = 1.0 - _wave_noise(shore, clock, values, x, y, wave) * shore.runup_variety
+    reach = 1.0 - wave_noise(shore, clock, values, x, y, wave) * shore.runup_variety
     up = uprush(shore)
     u = q * (1 / up)
     rising = u * (1.0 + u * (1.0 - u))

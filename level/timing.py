@@ -24,7 +24,7 @@ from .pins import later
 from .sea_keys import fronts_at
 from .settings import Shore
 from .shore import shore_map
-from .shore_waves import BREAK_S, Travel, _height_along, lead_arrival, s_cycles, shore_early
+from .shore_waves import BREAK_S, Travel, height_along, lead_arrival, s_cycles, shore_early
 from .surf import BROKEN_SHARE
 from .weather_keys import level_at
 
@@ -107,7 +107,7 @@ def _height(shore: Shore, s: Dual, travel: Travel | None) -> np.ndarray:
     """Of the wave against where it stands highest; it fades in at the outer edge unless it comes from the open sea."""
     if travel is not None and travel.share == 1.0:
         return np.asarray(travel.height.v)
-    high = _height_along(s, travel).v * step(0.0, max(shore.fade_in, 1e-3), s).v
+    high = height_along(s, travel).v * step(0.0, max(shore.fade_in, 1e-3), s).v
     return high * float(shore.on)
 
 

@@ -7,12 +7,12 @@ exact. Weight blends displacements, never phases. The twin is shaders/wave_objec
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
 
 from .dual import Dual, step
+from .gerstner import Fronts
 from .level import Level
 from .objects import SwellRegion, WaveObject
 from .settings import Sea
@@ -30,21 +30,8 @@ STEEPEST = 0.6  # of the sum of k · lateral; at 1 crests fold over (Finch), and
 FULL_DEPTH = 3.0  # in that many amplitudes of water over `sea.deep_start_m` an object's waves stand whole
 
 
-@dataclass(frozen=True)
-class ObjectFronts:
-    """Arrays of shape (3,), the lead first; `begin` in cycles."""
-
-    east: np.ndarray
-    north: np.ndarray
-    length_m: np.ndarray
-    omega: np.ndarray
-    amplitude_m: np.ndarray
-    lateral_m: np.ndarray
-    begin: np.ndarray
-
-
 @lru_cache(maxsize=256)
-def object_fronts(thing: WaveObject, seed: int) -> ObjectFronts:
+def object_fronts(thing: WaveObject, seed: int) -> Fronts:
     """The three fronts of an object in a level of that seed: like a group's (H05), but close to each other."""
     rng = np.random.Generator(np.random.PCG64([seed + 1, thing.seed]))
     wobble = rng.uniform(-1, 1, (3, 3)) * np.array([0.0, 1.0, 1.0])  # the lead is what the artist asked for
@@ -57,10 +44,10 @@ def object_fronts(thing: WaveObject, seed: int) -> ObjectFronts:
     lateral *= min(1.0, STEEPEST / max(float(np.sum(k * lateral)), 1e-9))
     begin = np.array([0.0, 0.618034, 0.236068])
     omega = thing.speed * np.sqrt(GRAVITY * k)
-    return ObjectFronts(np.sin(heading), np.cos(heading), length, omega, amplitude, lateral, begin)
+    return Fronts(np.sin(heading), np.cos(heading), length, omega, amplitude, lateral, begin)
 
 
-def phase_cycles(fronts: ObjectFronts, t: float) -> np.ndarray:
+def phase_cycles(fronts: Fronts, t: float) -> np.ndarray:
     """How far each front has gone at time t, 0 … 1."""
     return np.mod(fronts.begin + np.mod(fronts.omega * t / (2 * np.pi), 1.0), 1.0)
 

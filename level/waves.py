@@ -19,7 +19,7 @@ from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, through, tr
 from .level import Level
 from .loop import moment
 from .noise import lattice
-from .patches import beach_contact, patch_shore, patch_uniforms
+from .patches import beach_contact, overrides, patch_shore, patch_uniforms
 from .pins import later, pin_uniforms, pinned
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
@@ -288,6 +288,11 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
 
 def wave_defines(level: Level) -> dict[str, str]:
     """What the level's GLSL is compiled with for what it has; without that it is what it was."""
-    asked = {"WAVE_OBJECTS": bool(counted(level)[0]), "WAVE_REGIONS": bool(wave_regions(level)),
-             "PINS": bool(pinned(level)), "PLUNGE": level.settings.shore.plunge > 0}  # fmt: skip
+    asked = {
+        "WAVE_OBJECTS": counted(level)[0],
+        "WAVE_REGIONS": wave_regions(level),
+        "PATCHED": overrides(level),
+        "PINS": pinned(level),
+        "PLUNGE": level.settings.shore.plunge > 0,
+    }
     return {name: "" for name, on in asked.items() if on}

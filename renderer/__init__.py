@@ -14,7 +14,7 @@ __all__ = [
 
 def __getattr__(name: str):
     if name == "Renderer":
-        from .frame import Renderer
+        from .renderer import Renderer
 
         return Renderer
     if name == "render":

@@ -37,7 +37,7 @@ def own_context():
 
 def own_renderer():
     """The renderer of `own_context`, kept for the next picture."""
-    from .frame import Renderer
+    from .renderer import Renderer
 
     if "renderer" not in _own:
         _own["renderer"] = Renderer(own_context())

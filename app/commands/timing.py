@@ -48,7 +48,8 @@ def timing(
     if pair:
         take_swell(found, *pair)
     if not timing_map(found, time).passage.stands.any():
-        raise BadInput(f"no wave stands anywhere in {level.name}: there is no sea, or its waves are off")
+        why = "there is no sea, its waves are off, or the swell would come from land"
+        raise BadInput(f"no wave stands anywhere in {level.name}: {why}")
     put_notes([*notes, *_write(found, level.resolve().stem, output, time, every, step)])
     put(str(output))
     return 0

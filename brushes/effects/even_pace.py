@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from . import Effect
 from .mean import cascade, mean_minus
 
 MOST = 0.98  # of what is uneven that one dab takes
@@ -112,3 +113,15 @@ def _bilinear(values: np.ndarray, row: np.ndarray, col: np.ndarray) -> np.ndarra
     fr, fc = row - row0, col - col0
     south = values[row0, col0] * (1 - fc) + values[row0, col1] * fc
     return south * (1 - fr) + (values[row1, col0] * (1 - fc) + values[row1, col1] * fc) * fr
+
+
+class Evens(Effect):
+    """An effect that may keep the pace even: `even` is None unless the brush asks for it."""
+
+    def begin(self, canvas, row: float, col: float) -> None:
+        self.shape = canvas.data.grid.shape
+        self.even = EvenPace(self.params.even_pace, self.footprint.radius) if self.params.even_pace else None
+
+    def prepare(self, canvas, rect, link) -> None:
+        if self.even:
+            self.even.prepare(canvas, rect, link)

@@ -4,22 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import Effect, Piece
-from .even_pace import EvenPace
+from . import Piece
+from .even_pace import Evens
 
 
-class Raise(Effect):
+class Raise(Evens):
     """Adds; inverted it takes away."""
 
     sign = 1.0
-
-    def begin(self, canvas, row: float, col: float) -> None:
-        self.shape = canvas.data.grid.shape
-        self.even = EvenPace(self.params.even_pace, self.footprint.radius) if self.params.even_pace else None
-
-    def prepare(self, canvas, rect, link) -> None:
-        if self.even:
-            self.even.prepare(canvas, rect, link)
 
     def write(self, piece: Piece) -> None:
         amount = self.amount * np.float32(-self.sign if self.invert else self.sign)

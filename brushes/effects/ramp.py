@@ -8,20 +8,20 @@ import numpy as np
 
 from ...level.loop import looped_shore
 from ...level.shore_waves import front_speed_mps
-from . import Effect, Piece, one_sided
-from .even_pace import EvenPace
+from . import Piece, one_sided
+from .even_pace import Evens
 
 LEVEL_GRADE = 1e-4  # a bed this flat has no front speed worth telling
 
 
-class Ramp(Effect):
+class Ramp(Evens):
     """Brings cells to the grade; past its ends it leads over to the ground as it lies, so that a ramp along a slope
     that is already right changes nothing. Inverted it only digs (what only dug, fills).
     """
 
     def begin(self, canvas, row: float, col: float) -> None:
+        super().begin(canvas, row, col)
         self.low = canvas.sample(row, col)
-        self.even = EvenPace(self.params.even_pace, self.footprint.radius) if self.params.even_pace else None
 
     def prepare(self, canvas, rect, link) -> None:
         self.link = link

@@ -9,28 +9,23 @@ from __future__ import annotations
 
 import numpy as np
 
-from . import Effect, Piece
-from .even_pace import EvenPace
+from . import Piece
+from .even_pace import Evens
 from .mean import cascade, mean_minus
 
 MOST = 0.98  # of the detail that a dab takes at strength 1
 LEAST = 1e-6  # a fainter stroke leaves nothing to be undone
 
 
-class Smooth(Effect):
+class Smooth(Evens):
     """Rubbing goes on working: dabs read what earlier dabs left. Opacity bounds how far a stroke goes."""
 
     @classmethod
     def masked(cls, params, invert: bool) -> bool:
         return invert  # sharpening what is already sharpened would run away, so it starts from the base
 
-    def begin(self, canvas, row: float, col: float) -> None:
-        self.shape = canvas.data.grid.shape
-        self.even = EvenPace(self.params.even_pace, self.footprint.radius) if self.params.even_pace else None
-
     def prepare(self, canvas, rect, link) -> None:
-        if self.even:
-            self.even.prepare(canvas, rect, link)
+        super().prepare(canvas, rect, link)
         steps = cascade(self.params.detail * self.footprint.radius, min(canvas.data.grid.shape))
         self.rect = rect
         self.rate = np.float32(self.amount if self.invert else self.params.opacity * self._share(link))
