@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from ..level import Level
 from ..level.pick import ground_at
 from ..level.shore import shore_map
-from ..level.shore_waves import front_speed_mps
+from ..level.timing import speed_on
 from ..level.weather_keys import level_at
 
 
@@ -32,18 +32,18 @@ def probe(level: Level, x: float, y: float, time_s: float = 0.0) -> Probe:
         float(v) for v in ground_at(level, [x - cell, x + cell, x, x, x], [y, y, y - cell, y + cell, y])
     )
     slope = math.hypot(east - west, north - south) / (2 * cell)
-    return Probe(x, y, here, level.sea_level_m - here, math.degrees(math.atan(slope)), _front(level, x, y))
+    return Probe(x, y, here, level.sea_level_m - here, math.degrees(math.atan(slope)), _front(level, time_s, x, y))
 
 
-def _front(level: Level, x: float, y: float) -> float | None:
-    """D03: fronts follow the clock's depth; they exist from the outer edge to the run-up limit, on the sea."""
-    shore = level.settings.shore
+def _front(level: Level, time_s: float, x: float, y: float) -> float | None:
+    """D03: from the outer edge to the run-up limit, on the sea; a swell that travels comes from farther out (T06)."""
+    shore, travels = level.settings.shore, level.settings.timing.share == 1
     bed = shore_map(level).at([x], [y], level.tide_m)
     clock, sea = bed["clock"], float(bed["sea"].v[0])
     s = 1 - float(clock.v[0]) / shore.range_m
-    if not shore.on or sea < 0.5 or not 0 <= s <= 1 + shore.runup:
+    if not shore.on or sea < 0.5 or s > 1 + shore.runup or (s < 0 and not travels):
         return None
-    return float(front_speed_mps(shore, math.hypot(float(clock.dx[0]), float(clock.dy[0]))))
+    return speed_on(level, time_s, float(clock.v[0]), math.hypot(float(clock.dx[0]), float(clock.dy[0])))
 
 
 def sentence(probe: Probe) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 
 from ..level import BadInput
-from ..level.loop import looped
 from ..level.objects import Marker
 from ..level.probes import events, probes_of
+from ..level.timing import period_s
 from . import placing
 from .session import Session
 
@@ -16,9 +16,8 @@ LONGEST_S = 3600.0
 
 
 def wave_s(session: Session) -> float:
-    """The period of the shore waves, as the loop makes it."""
-    settings = session.level.settings
-    return looped(settings.shore.interval_s, settings.time.loop_s)
+    """The period of the shore waves now: as the loop makes it, or the leading swell's."""
+    return period_s(session.level, session.clock.time_s)
 
 
 def step_wave(session: Session, waves: float) -> None:

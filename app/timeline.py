@@ -203,7 +203,7 @@ class Timeline:
         session = self.editor.session
         settings = session.level.settings
         start = 0.0 if on else round(session.clock.time_s, 2)
-        long_s = settings.time.loop_s or settings.shore.interval_s * settings.shore.count
+        long_s = settings.time.loop_s or wave_s(session) * settings.shore.count
         end = 0.0 if on else start + long_s
         values = {"time.loop_start_s": start, "time.loop_end_s": end}
         self.editor.attempt(session.set_all, "Stop looping" if on else "Loop", values)

@@ -15,6 +15,7 @@ import numpy as np
 from .arrival import arrival, shore_at
 from .arrival_map import ArrivalMap
 from .beach_map import beach_map
+from .dispersion import phase_speed
 from .dual import Dual, step
 from .gerstner import Fronts, phase_noise
 from .level import Level
@@ -25,6 +26,7 @@ from .sea_keys import fronts_at
 from .settings import Shore
 from .shore import shore_map
 from .shore_waves import BREAK_S, Travel, height_along, lead_arrival, s_cycles, shore_early
+from .shore_waves import front_speed_mps as front_speed_of
 from .surf import BROKEN_SHARE
 from .weather_keys import level_at
 
@@ -132,6 +134,17 @@ def period_s(level: Level, t: float) -> float:
 def front_speed_mps(level: Level, t: float, x, y) -> np.ndarray:
     """Speed of the front over the ground, 1 / |∇A|."""
     return passage(level, t, x, y).speed_mps
+
+
+def speed_on(level: Level, t: float, depth_m: float, slope: float) -> float:
+    """Speed over the ground of a front that goes straight up a bed of that depth and slope, m/s (D31)."""
+    level = level_at(level, t)
+    shore, timing = shore_at(level, t), level.settings.timing
+    by_depth = float(front_speed_of(shore, slope))
+    if not timing.travels:
+        return by_depth
+    by_travel = float(phase_speed(shore.interval_s, max(depth_m, timing.least_depth_m)))
+    return 1.0 / ((1.0 - timing.share) / by_depth + timing.share / by_travel)
 
 
 def swell_arrivals(level: Level, t: float, x, y, clock: Clock | None = None) -> dict[str, np.ndarray]:

@@ -9,7 +9,7 @@ from shorewright.level.next_crest import next_crest
 from shorewright.level.objects import Camera
 from shorewright.level.shore_waves import BREAK_S
 from shorewright.level.surf import TYPES, breaker_type, similarity
-from shorewright.level.timing import arrival_s, front_speed_mps, passage, period_s, swell_arrivals, timing_map
+from shorewright.level.timing import arrival_s, front_speed_mps, passage, period_s, speed_on, swell_arrivals, timing_map
 from shorewright.level.waves import sea_at
 from shorewright.renderer import VIEWS, render
 
@@ -199,3 +199,17 @@ def test_the_shader_reads_what_the_twin_reads(renderer, source):
 
 def test_views_of_the_timing_are_in_the_table():
     assert {"arrival", "front_speed", "breakers"} <= set(VIEWS)
+
+
+def test_what_is_told_while_sculpting_is_the_speed_of_the_source():
+    """D31, T06: over a plane bed the speed by depth and slope alone is that of the map, in either source."""
+    for source in ("depth", "travel_time"):
+        level = make_beach(rows=161, cols=121, cell_m=2.0, slope=0.05, sway=0.0)
+        level.set("timing.source", source)
+        level.set("sea.phase_noise", 0.0)
+        level.set("sea.swell_heading_deg", 8.0)
+        y = np.linspace(20.0, 300.0, 141)
+        found = passage(level, 5.0, np.full_like(y, 120.0), y)
+        at = int(np.abs(found.depth_m - 3.0).argmin())
+        told = speed_on(level, 5.0, float(found.depth_m[at]), float(found.slope[at]))
+        assert told == pytest.approx(float(found.speed_mps[at]), rel=0.06), source

@@ -6,8 +6,7 @@ import math
 
 import numpy as np
 
-from ...level.loop import looped_shore
-from ...level.shore_waves import front_speed_mps
+from ...level.timing import speed_on
 from . import Piece, one_sided
 from .even_pace import Evens
 
@@ -75,7 +74,8 @@ class Ramp(Evens):
         first, last = float(self.low[0]), float(self.high[0])
         length_m = link.length * grid.cell_m
         grade = (last - first) / length_m
-        speed = front_speed_mps(looped_shore(canvas.level.settings), abs(grade)) if abs(grade) >= LEVEL_GRADE else None
+        depth_m = canvas.level.sea_level_m - 0.5 * (first + last)  # half way
+        speed = speed_on(canvas.level, 0.0, depth_m, abs(grade)) if abs(grade) >= LEVEL_GRADE else None
         return {
             "start": grid.to_metres(link.row0, link.col0),
             "end": grid.to_metres(link.row1, link.col1),
@@ -83,5 +83,5 @@ class Ramp(Evens):
             "length_m": length_m,
             "grade": grade,
             "slope_deg": math.degrees(math.atan(abs(grade))),
-            "front_speed_mps": None if speed is None else float(speed),
+            "front_speed_mps": speed,
         }
