@@ -6,7 +6,6 @@ import math
 
 import numpy as np
 
-from ...level.timing import speed_on
 from . import Piece, one_sided
 from .even_pace import Evens
 
@@ -70,6 +69,8 @@ class Ramp(Evens):
 
     def preview(self, canvas) -> dict | None:
         """Where it goes, how steep it is, and the speed it gives a front: m, rise over run, m/s (None when level)."""
+        from ...level.timing import speed_on  # here, for it brings SciPy: a table of brushes does without
+
         grid, link = canvas.data.grid, self.link
         first, last = float(self.low[0]), float(self.high[0])
         length_m = link.length * grid.cell_m
