@@ -240,9 +240,32 @@ class Probe(Placed):
     )
 
 
+class River(Placed):
+    """A river: a line of points that it runs along, from its spring to its mouth (D13)."""
+
+    kind: Literal["river"] = "river"
+    points: tuple[tuple[float, float, float, float, float], ...] = Field(
+        ((0.0, 0.0, 8.0, 1.0, 1.0), (60.0, 0.0, 8.0, 0.5, 1.0)),
+        description="Metres east and north of its place, width in m, level of the water in m, speed in m/s.",
+    )
+    depth_m: float = param(1.2, 0.1, 30, "m", "How deep its bed is carved in the middle.", soft=(0.3, 5))
+    reach_m: float = param(60.0, 0, 2000, "m", "How far out to sea it is felt.", soft=(0, 200))
+
+    @field_validator("points")
+    @classmethod
+    def _runs(cls, points):
+        """Two points or more, each of some width, downhill, never across themselves."""
+        from .river_line import wrong_with
+
+        if wrong := wrong_with(points):
+            raise ValueError(wrong)
+        return points
+
+
 _KINDS = (
     Camera, SeaSeed, Disturbance, FlowPoint, ViewCircle, SeaPatch, WaveObject, SwellRegion, WaterTable, PointLight,
     Prop, Hit, Mover, WeatherKey, Shot, Marker, Probe, Pin,
+    River,
 )  # fmt: skip
 OBJECT_KINDS = {row.model_fields["kind"].default: row for row in _KINDS}
 Object = Annotated[Union[*OBJECT_KINDS.values()], Field(discriminator="kind")]

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from .params import Section, param
+from .river_settings import RiverLook
 from .sea_settings import Caustics, Flow, Foam, Force, Glare, Quiet, Things
 from .sky_settings import Clouds, CloudTerms, Rain, Storm, Weather
 from .tide import Tide
@@ -259,6 +260,7 @@ class Settings(Section):
     sea: Sea = Sea()
     shore: Shore = Shore()
     timing: Timing = Timing()
+    river: RiverLook = RiverLook()
     water: Water = Water()
     caustics: Caustics = Caustics()
     flow: Flow = Flow()

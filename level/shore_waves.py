@@ -7,7 +7,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -45,6 +45,12 @@ class ShoreMasks:
     way: np.ndarray | None = None
     progress: np.ndarray | None = None
     white: np.ndarray | None = None
+
+    def faded(self, waves: Dual) -> ShoreMasks:
+        """With as much of the waves as a river leaves there (D35)."""
+        own = {name: getattr(self, name) * waves.v for name in ("line", "back", "fall")}
+        shift = None if self.shift is None else tuple(way * waves for way in self.shift)
+        return replace(self, **own, lift=self.lift * waves, shift=shift)
 
 
 @dataclass(frozen=True)

@@ -21,6 +21,8 @@ from .loop import moment
 from .noise import lattice
 from .patches import beach_contact, overrides, patch_shore, patch_uniforms
 from .pins import later, pin_uniforms, pinned
+from .river_map import has_rivers
+from .river_water import River, river_at, river_uniforms
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
 from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cycles, shore_masks, uprush
@@ -66,6 +68,8 @@ def _offshore(
 ) -> tuple[Deformed, Dual]:
     bed = shore.at(x, y, level.tide_m)
     weight = _weight(level, bed)
+    if has_rivers(level):
+        weight = weight * river_at(level, t, x, y).waves
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
     for which, group in zip((HIGH, LOW)[-len(fronts) :], fronts, strict=True):
         added = objects_shift(level, which, t, point.x, point.y, x, y, bed)  # of the same base as the group (H06)
@@ -115,6 +119,7 @@ class _Shore:
     bed: dict[str, Dual]
     sand: Dual
     masks: ShoreMasks
+    river: River | None = None
 
 
 def _shore_waves(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap | None, x, y) -> _Shore:
@@ -134,7 +139,8 @@ def _shore_waves(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap 
     masks = shore_masks(
         shore_at(level, t), t, bed, x, y, sway, values, loop_s, way, late * (1 - share), steep
     )  # fmt: skip
-    return _Shore(bed, sand, masks)
+    river = river_at(level, t, x, y)
+    return _Shore(bed, sand, masks if river is None else masks.faded(river.waves), river)
 
 
 def _normal(point: Deformed, slope_x: np.ndarray, slope_y: np.ndarray) -> np.ndarray:
@@ -161,7 +167,7 @@ def surface_at(
     after_x, after_y = point.x.v, point.y.v
     here = _shore_waves(level, t, fronts, made, after_x, after_y)
     bed, sand, masks = here.bed, here.sand, here.masks
-    lift = masks.lift
+    lift = masks.lift if here.river is None else masks.lift + here.river.rise
     if force is not None:
         lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
     sheet = point.z.v + lift.v - _under(level, bed, sand)
@@ -274,6 +280,8 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_deep_full_m": max(sea.deep_full_m, sea.deep_start_m + 1e-3),
         "u_wave_height_m": sea_height_m(level),  # foam elsewhere stays when an object is placed
         "u_bed_cell_m": shore_map(level).cell_m,
+        "u_bed_rows": len(shore_map(level).packed),
+        **river_uniforms(level, t),
         **patch_uniforms(level),
         "u_beach_cell_m": beach_map(level).cell_m,
         **arrival_uniforms(arrival(level, t), settings.timing.share),
@@ -293,6 +301,7 @@ def wave_defines(level: Level) -> dict[str, str]:
         "WAVE_REGIONS": wave_regions(level),
         "PATCHED": overrides(level),
         "PINS": pinned(level),
+        "RIVERS": has_rivers(level),
         "PLUNGE": level.settings.shore.plunge > 0,
     }
     return {name: "" for name, on in asked.items() if on}

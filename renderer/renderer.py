@@ -102,7 +102,7 @@ class Renderer:
         show, row = show or Show(), tier(quality)
         shown = _dated(level, time_s, view, show)
         self.uploader.sync(level)
-        self.uploader.table(shown)
+        self.uploader.tables(shown)
         made = arrival(shown, time_s)
         settled = level.live or shore_map(level).whole
         self.arriving = not settled or (made is not None and not made.settled)

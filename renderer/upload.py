@@ -11,19 +11,20 @@ from ..level.arrival_map import ArrivalMap
 from ..level.beach_map import beach_map
 from ..level.flow import current
 from ..level.layers import LAYERS, WEATHER_GRID
-from ..level.noise import lattice
 from ..level.patches import patch_kinds
-from ..level.shore import shore_map
+from ..level.river_map import RiverMap, river_map
+from ..level.shore import ShoreMap, shore_map
 from ..level.shore_field import shore_field
+from ..level.tables import tables
 from ..level.walk import highest_sea_m
-from ..level.water_table import table_in_use, water_table
+from ..level.water_table import table_in_use
 from .bounds import HeightBounds
 
 
 class Uploader:
     """`textures` by sampler name, `bytes` sent, `sent` by name.
 
-    Names are `u_height`, `u_bed`, `u_beach`, `u_variety`; when asked for `u_layer_NAME`, `u_walkable`, `u_shore_field`.
+    Names are `u_height`, `u_bed`, `u_beach`, `u_tables`; when asked for `u_layer_NAME`, `u_walkable`, `u_shore_field`.
     """
 
     def __init__(self, ctx) -> None:
@@ -31,6 +32,7 @@ class Uploader:
         self.textures: dict = {}
         self.sent: Counter[str] = Counter()
         self.bounds: HeightBounds | None = None
+        self.river_bounds: HeightBounds | None = None  # of the level of water that isn't the sea, over its mean
         self.seen: dict[str, object] = {}
         self.wholes = 0  # how often all of a level's height was sent
         self.level: Level | None = None
@@ -42,7 +44,7 @@ class Uploader:
         return sum(self.sent.values())
 
     def sync(self, level: Level) -> None:
-        """Bring height, shore map and lattice up to date."""
+        """Bring height, shore map and beach up to date."""
         if self.level is not level:
             self.seen.clear()
             self.level = level
@@ -52,12 +54,8 @@ class Uploader:
                 f"the level has {level.grid.cols} × {level.grid.rows}: crop or resize it"
             )
         self._sync_height(level)
-        self._sync_shore(level)
+        self._sync_bed(level)
         self._sync_beach(level)
-        seed = level.settings.level.seed
-        if self.seen.get("lattice") != seed:
-            self._whole("u_variety", lattice(seed), "f4")
-            self.seen["lattice"] = seed
 
     def _sync_height(self, level: Level) -> None:
         fresh = "height" not in self.seen or self.textures["u_height"].size != (level.grid.cols, level.grid.rows)
@@ -73,8 +71,22 @@ class Uploader:
                 self.bounds.update(level.height, rect)
         self.seen["height"] = level.revision
 
-    def _sync_shore(self, level: Level) -> None:
-        shore = shore_map(level)
+    def _sync_bed(self, level: Level) -> None:
+        """The shore map, and above its rows the map of rivers where there are some (D13)."""
+        shore, made = shore_map(level), river_map(level)
+        rows, cols, channels = shore.packed.shape
+        if self._refit("u_bed", (rows if made is None else 2 * rows, cols, channels), "f4"):
+            self.seen.pop("shore", None)
+            self.seen.pop("rivers", None)
+        self._sync_shore(shore)
+        if made is not None and self.seen.get("rivers") is not made:
+            self._send("u_bed", made.packed, Rect(rows, 0, 2 * rows, cols), "f4")
+            self.river_bounds = HeightBounds(_water_levels(made))
+            self.seen["rivers"] = made
+        if made is None:
+            self.river_bounds = None
+
+    def _sync_shore(self, shore: ShoreMap) -> None:
         known, revision, held = self.seen.get("shore", (None, 0, None))
         if known is shore and revision == shore.revision:
             return
@@ -83,7 +95,7 @@ class Uploader:
         if held is None or held.shape != shore.packed.shape:
             held = np.empty_like(shore.packed)
         for rect in rects:
-            self._part("u_bed", shore.packed, rect, "f4")
+            self._send("u_bed", shore.packed[rect.slices], rect, "f4")
             held[rect.slices] = shore.packed[rect.slices]
         self.seen["shore"] = shore, shore.revision, held
 
@@ -202,15 +214,13 @@ class Uploader:
             self.seen["current"] = made
         return self.textures["u_current"]
 
-    def table(self, level: Level):
-        """The water table in use (H15), or a texel that nothing reads."""
-        table = table_in_use(level)
-        if self.seen.get("table", False) != table:
-            rows = np.zeros((1, 1, 4), np.float32) if table is None else water_table(table)
-            self._whole("u_table", rows, "f4")
-            self.textures["u_table"].filter = self.ctx.LINEAR, self.ctx.LINEAR
-            self.seen["table"] = table
-        return self.textures["u_table"]
+    def tables(self, level: Level) -> None:
+        """Bring water table and lattice up to date."""
+        key = table_in_use(level), level.settings.level.seed
+        if self.seen.get("tables") != key:
+            self._whole("u_tables", tables(level), "f4")
+            self.textures["u_tables"].filter = self.ctx.LINEAR, self.ctx.LINEAR
+            self.seen["tables"] = key
 
     def force(self, packed: np.ndarray | None):
         """The force field, or (None) a texel that nothing reads."""
@@ -263,6 +273,11 @@ def _texels(sampler: str, values: np.ndarray):
     yield sampler, values if values.ndim == 2 else values[..., :4]
     if values.ndim == 3 and values.shape[2] > 4:
         yield f"{sampler}_more", values[..., 4:]
+
+
+def _water_levels(made: RiverMap) -> np.ndarray:
+    """Level of the water by sample, far below everything where there is none of its own."""
+    return np.where(made.packed[..., 1] > 0, made.packed[..., 0], np.float32(-1e6))
 
 
 def _difference(old: np.ndarray | None, new: np.ndarray) -> Rect:

@@ -3,8 +3,9 @@
 import numpy as np
 from shorewright.level.arrival import arrival
 from shorewright.level.beach_map import beach_map
-from shorewright.level.noise import lattice
+from shorewright.level.river_map import river_map
 from shorewright.level.shore import shore_map
+from shorewright.level.tables import tables
 from shorewright.level.waves import wave_defines, wave_uniforms
 from shorewright.renderer.program import resolve
 from shorewright.renderer.uniforms import set_uniforms
@@ -55,10 +56,13 @@ def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, un
 
 def feedback(ctx, level, t, at):
     """The level's sea at undeformed points: position, weight, masks, sheet and phase, breaking, as SEA lists them."""
-    packed, sand = np.ascontiguousarray(shore_map(level).packed), np.ascontiguousarray(beach_map(level).packed)
+    packed, sand, rivers = shore_map(level).packed, np.ascontiguousarray(beach_map(level).packed), river_map(level)
+    if rivers is not None:
+        packed = np.concatenate([packed, rivers.packed])
+    packed = np.ascontiguousarray(packed)
     textures = {
         "u_bed": ctx.texture(packed.shape[1::-1], 4, packed.tobytes(), dtype="f4"),
-        "u_variety": ctx.texture((64, 64), 1, lattice(level.settings.level.seed).tobytes(), dtype="f4"),
+        "u_tables": ctx.texture((1024, 6), 4, tables(level).tobytes(), dtype="f4"),
         "u_beach": ctx.texture(sand.shape[1::-1], 2, sand.tobytes(), dtype="f2", alignment=1),
     }
     made = arrival(level, t)

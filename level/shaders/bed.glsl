@@ -3,12 +3,16 @@
 
 #include "level/dual.glsl"
 
-uniform sampler2D u_bed;  // RGBA32F: clock depth, depth, sea, clock depth without rocks, at mean sea level
+// RGBA32F: clock depth, depth, sea, clock depth without rocks, at mean sea level; above these rows those of rivers
+uniform sampler2D u_bed;
+uniform int u_bed_rows;
 uniform float u_bed_cell_m;
 uniform float u_tide_m;  // how far the sea stands over that
 uniform bool u_tide_on;  // with a tide, the third number is the one over which a cell is sea
 
 const float BEYOND_M = 80.0;  // how far past the level's border shore waves go on
+
+ivec2 bed_size() { return ivec2(textureSize(u_bed, 0).x, u_bed_rows); }
 
 struct Bed {
     vec3 clock;   // duals: depth the shore clock reads (monotone on the way to land), m
@@ -25,7 +29,7 @@ vec4 bed_texel(ivec2 cell) {
 }
 
 Bed bed_at(vec2 xy) {
-    vec2 size = vec2(textureSize(u_bed, 0));
+    vec2 size = vec2(bed_size());
     vec2 at = xy / u_bed_cell_m;
     vec2 inside = clamp(at, vec2(0.0), size - 1.0);
     vec2 base = min(floor(inside), size - 2.0);

@@ -63,7 +63,7 @@ vec3 d_inverse(vec3 x, float least) {
 // `s_body`: place along the range; `bent`: by how many cycles the shoreline bends times of arrival.
 Breaker breaker_at(vec2 xy, vec3 s_body, vec3 bent, float cycles_a_range, float range_m, float width) {
     vec3 bed_east, bed_north, one = d_const(1.0), shows = one, here = (s_body - d_const(BREAK_S)) * u_shore_break_rate;
-    second_order(u_bed, 3, textureSize(u_bed, 0), u_bed_cell_m, xy, bed_east, bed_north);
+    second_order(u_bed, 3, bed_size(), u_bed_cell_m, xy, bed_east, bed_north);
     vec3 east = bed_east * (-cycles_a_range / range_m), north = bed_north * (-cycles_a_range / range_m);
     vec3 slope = d_length(bed_east, bed_north), xi = slope * u_shore_iribarren;
     vec3 known = d_step(FLAT_SLOPE.x, FLAT_SLOPE.y, slope);

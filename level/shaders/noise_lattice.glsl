@@ -1,10 +1,13 @@
 // The level's noise lattice: smooth value noise with its gradient. The twin is level/noise.py.
 
-uniform sampler2D u_variety;  // R32F 64 x 64, read with texelFetch
+#include "level/tables.glsl"
 
 const int LATTICE = 64;
 
-float lattice_at(ivec2 cell) { return texelFetch(u_variety, cell & (LATTICE - 1), 0).r; }
+float lattice_at(ivec2 cell) {
+    int at = (cell.y & (LATTICE - 1)) * LATTICE + (cell.x & (LATTICE - 1));
+    return texelFetch(u_tables, ivec2(at & (TABLE_TEXELS - 1), LATTICE_ROW + at / TABLE_TEXELS), 0).r;
+}
 
 vec3 value_noise(vec2 xy, float cell_m, ivec2 shift) {
     vec2 uv = xy / cell_m;

@@ -3,6 +3,9 @@
 #include "level/gerstner.glsl"
 #include "level/force.glsl"
 #include "level/patches.glsl"
+#ifdef RIVERS
+#include "level/river.glsl"
+#endif
 
 uniform float u_sea_level_m, u_deep_full_m, u_sea_on, u_wave_height_m;
 
@@ -17,6 +20,10 @@ struct Sea {
     ShoreMasks shore;  // at the world position after deformation
     Bed bed;           // there too
     float sheet;       // water over the sand, m; at or below 0 the sheet lies on it without thickness (H10)
+    float still;       // how far its level is over the sea's, where a river is (D13)
+#ifdef RIVERS
+    River river;
+#endif
 };
 
 // Weight of the offshore waves: they fade in with depth (D11) and exist only in the sea.
@@ -27,9 +34,26 @@ vec3 deep_weight(Bed bed) {
 // The sand that the sheet slides on, over the still sea: only where the sea comes (H10).
 float beach_under(Bed bed, Beach beach) { return u_shore_slide > 0.0 && bed.sea.x > 0.0 ? beach.sand.x - u_tide_m : NO_BEACH_M; }
 
+#ifdef RIVERS
+// What a river leaves of a shore wave.
+void fade_shore(inout ShoreMasks shore, vec3 waves) {
+    shore.lift = d_mul(shore.lift, waves);
+    shore.line *= waves.x;
+    shore.back *= waves.x;
+    shore.fall *= waves.x;
+#ifdef PLUNGE
+    shore.shift_x = d_mul(shore.shift_x, waves);
+    shore.shift_y = d_mul(shore.shift_y, waves);
+#endif
+}
+#endif
+
 Sea sea_surface(vec2 before) {
     Bed start = bed_at(before);
     vec3 weight = deep_weight(start);
+#ifdef RIVERS
+    weight = d_mul(weight, river_at(before).waves);
+#endif
 #ifdef WAVE_OBJECTS
     objects_depth = start.smoothed;
     objects_sea = start.sea * u_sea_on;
@@ -41,7 +65,16 @@ Sea sea_surface(vec2 before) {
     Beach beach = before_waves(bed) && bed.depth.x > DEEP_M ? NO_BEACH : beach_at(after);
     ShoreMasks shore = shore_masks(bed, beach.sway, after);
     // d lift / d before = d lift / d after · d after / d before
-    vec3 lift = shore.lift + d_mul(d_mul(force_lift(after), bed.sea), d_step(0.0, 0.5, bed.depth));
+#ifdef RIVERS
+    River river = river_at(after);
+    fade_shore(shore, river.waves);
+    vec3 lift = shore.lift + river.rise;
+    float still = river.still;
+#else
+    vec3 lift = shore.lift;
+    const float still = 0.0;
+#endif
+    lift += d_mul(d_mul(force_lift(after), bed.sea), d_step(0.0, 0.5, bed.depth));
     float rise = p.z.x + lift.x, sheet = rise - beach_under(bed, beach);
     float held = sheet < 0.0 ? beach_contact(after).x : 0.0;  // H10: the higher of the two, with its slope
     vec2 up = mix(lift.yz, beach.sand.yz, held);
@@ -55,5 +88,9 @@ Sea sea_surface(vec2 before) {
 #endif
     vec3 normal = normalize(cross(vec3(p.x.y, p.y.y, slope.x), vec3(p.x.z, p.y.z, slope.y)));
     return Sea(vec3(after, u_sea_level_m + rise - held * sheet), normal, before,
-               clamp(rise / u_wave_height_m, -1.0, 1.0), weight.x, shore, bed, sheet);
+               clamp((rise - still) / u_wave_height_m, -1.0, 1.0), weight.x, shore, bed, sheet, still
+#ifdef RIVERS
+               , river
+#endif
+               );
 }

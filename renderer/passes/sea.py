@@ -14,6 +14,7 @@ import numpy as np
 from ...level.breaking import overhang_m
 from ...level.flow import current
 from ...level.patches import BASE_M, PATCH_M, Circle, extents, in_mesh
+from ...level.shore import shore_map
 from ...level.waves import largest_height_m
 from ...level.weather_keys import points_change
 from ..frame import Frame
@@ -105,7 +106,8 @@ def _sideways_m(frame: Frame) -> float:
 
 def _heights(frame: Frame, extent: Extent, cell_m: float, top: float):
     """Bounds of the sea over rectangles of cells for `select`: lowest above highest where nothing is to be drawn."""
-    level, bounds = frame.level, frame.renderer.uploader.bounds
+    level, bounds, rivers = frame.level, frame.renderer.uploader.bounds, frame.renderer.uploader.river_bounds
+    stride = shore_map(level).stride
     cells = cell_m / level.grid.cell_m
 
     def heights(col0, row0, col1, row1):
@@ -114,10 +116,16 @@ def _heights(frame: Frame, extent: Extent, cell_m: float, top: float):
                           for v, margin in ((col0, -2), (row0, -2), (col1, 3), (row1, 3)))  # fmt: skip
         lowest, _ = bounds.query(r0, c0, r1, c1)
         none = (c0 > 0) & (r0 > 0) & (c1 < first) & (r1 < last) & (lowest > level.sea_level_m + top)
+        low, high = np.full(len(none), level.sea_level_m - top), np.full(len(none), level.sea_level_m + top)
+        if rivers is not None:  # their water may stand anywhere (D13)
+            _, water = rivers.query(*(v // stride for v in (r0, c0, r1, c1)))
+            water += level.mean_sea_m
+            none &= water < lowest
+            high = np.maximum(high, water + top)
         none |= _outside(extent, *(v * cell_m for v in (col0, row0, col1, row1)))
         return (
-            np.where(none, level.sea_level_m + 2 * top, level.sea_level_m - top),
-            np.full(len(none), level.sea_level_m + top),
+            np.where(none, high + top, low),
+            high,
         )
 
     return heights

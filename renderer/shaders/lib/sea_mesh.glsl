@@ -35,7 +35,7 @@ vec3 sea_vertex(vec2 before, vec2 relative, out float sheet) {
     sheet = sea.sheet;
     float share = shares.x;
     vec2 shift = (sea.position.xy - before) * share;
-    float rise = (sea.position.z - u_sea_level_m) * share;
+    float rise = sea.still + (sea.position.z - u_sea_level_m - sea.still) * share;
     return vec3(relative + shift, u_sea_level_m - u_camera.z + rise);
 }
 

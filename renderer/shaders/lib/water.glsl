@@ -75,13 +75,13 @@ vec3 water_transmittance(float path_m) { return exp(-water_attenuation() * max(p
 vec3 water_deep_albedo() { return 0.33 * u_backscatter / water_attenuation(); }
 
 // The artist's table (level/water_table.py): row 0 what is left, row 1 what is added, after that many metres.
-uniform sampler2D u_table;
+#include "level/tables.glsl"
 uniform bool u_table_on;
 
 vec3 water_table(float metres, int row) {
-    vec2 size = vec2(textureSize(u_table, 0));
+    vec2 size = vec2(textureSize(u_tables, 0));
     float at = clamp(metres / 200.0, 0.0, 1.0) * (size.x - 1.0) + 0.5;
-    return textureLod(u_table, vec2(at / size.x, (float(row) + 0.5) / size.y), 0.0).rgb;
+    return textureLod(u_tables, vec2(at / size.x, (float(row) + 0.5) / size.y), 0.0).rgb;
 }
 
 // Albedo of water `depth_m` deep over a bed, seen and lit at these cosines (above the surface): Lee et al. 1998, eq. 9.

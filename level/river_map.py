@@ -1,0 +1,196 @@
+"""Where water stands that isn't the sea, and how high: rivers along lines, and painted lakes and ponds (D13, H32).
+
+river_map(level) -> RiverMap or None
+
+Worked out on the CPU on the shore map's samples and sent to the GPU as a block above it, so that both know one water.
+Over the sea it is joined by the higher of the two, rounded off: a rising tide drowns the lower river, and there is no
+line where one ends.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from scipy import ndimage
+
+from .dual import Dual
+from .level import Level
+from .objects import River
+from .river_line import Line, centre_line
+from .shore import MOST_SIDE
+
+CHANNELS = ("stage", "share", "along", "waves")
+JOIN_M = 0.12  # within so much of the sea's level a river goes over into it
+BANK_CELLS = 3.0  # the water goes on so far under its banks
+DROWNED_M = (0.02, 0.5)  # water so far over the sea carries all of its waves, none
+TIDAL = 8.0  # widths up the river over which the sea's waves die out
+ROUGH_FALL = (0.004, 0.06)  # slope of the water at which it is smooth, wholly rough
+SMOOTH_CELLS = 1.2  # sigma over which the level is even across the inside of a bend
+
+
+@dataclass(frozen=True)
+class RiverMap:
+    """`packed` float32 `(rows, cols, 4)`, row 0 south: level of the water over the mean sea in m, share 0 … 1 of water
+    of its own, metres along its way, and how much of the sea's waves comes there 0 … 1; below 0: how rough it runs.
+    """
+
+    packed: np.ndarray
+    cell_m: float
+    key: tuple
+
+    def at(self, x, y) -> dict[str, Dual]:
+        """Bilinear values with gradients at world points (arrays), by channel; its border beyond the level."""
+        rows, cols = self.packed.shape[:2]
+        u, v = np.asarray(x) / self.cell_m, np.asarray(y) / self.cell_m
+        ui, vi = np.clip(u, 0, cols - 1), np.clip(v, 0, rows - 1)
+        col, row = np.minimum(ui.astype(np.int64), cols - 2), np.minimum(vi.astype(np.int64), rows - 2)
+        fu, fv = (ui - col)[..., None], (vi - row)[..., None]
+        v00, v10, v01, v11 = (self.packed[row + j, col + i].astype(np.float64) for j in (0, 1) for i in (0, 1))
+        south, north = v00 + (v10 - v00) * fu, v01 + (v11 - v01) * fu
+        value = south + (north - south) * fv
+        dx = ((v10 - v00) * (1 - fv) + (v11 - v01) * fv) / self.cell_m * (u == ui)[..., None]
+        dy = (north - south) / self.cell_m * (v == vi)[..., None]
+        return {name: Dual(value[..., i], dx[..., i], dy[..., i]) for i, name in enumerate(CHANNELS)}
+
+    @property
+    def wet(self) -> np.ndarray:
+        """Where it is, bool `(rows, cols)`, whatever the ground."""
+        return self.packed[..., 1] >= 0.5
+
+
+def rivers(level: Level) -> list[River]:
+    """The level's rivers by id."""
+    return sorted((o for o in level.objects.values() if isinstance(o, River)), key=lambda o: o.id)
+
+
+def has_rivers(level: Level) -> bool:
+    """Whether any water isn't the sea."""
+    return level.settings.river.on and (bool(rivers(level)) or not level.layers["river_mask"].neutral)
+
+
+def river_map(level: Level) -> RiverMap | None:
+    """The level's map, kept until something that it follows from changes; None where all water is the sea."""
+    if not has_rivers(level):
+        return None
+    painted = tuple(level.layer_revision(name) for name in ("river_mask", "river_surface"))
+    lines = tuple(rivers(level))
+    key = (id(level.layers["height"]), lines, painted, level.mean_sea_m)
+    have = level.derived.get("river_map")
+    if have is None or have.key != key:
+        have = level.derived["river_map"] = _made(level, lines, key)
+    return have
+
+
+def _made(level: Level, lines: tuple[River, ...], key: tuple) -> RiverMap:
+    stride = max(1, math.ceil((max(level.grid.shape) - 1) / (MOST_SIDE - 1)))
+    cell_m = level.grid.cell_m * stride
+    shape = level.height[::stride, ::stride].shape
+    packed = np.zeros((*shape, 4), np.float32)
+    packed[..., 0], packed[..., 3] = -1e3, 1.0
+    for river in lines:
+        line = centre_line(river, level.mean_sea_m, min(cell_m, 1.0))
+        _lay(packed, line, cell_m, level.mean_sea_m)
+    _paint(packed, level, stride)
+    _even(packed)
+    return RiverMap(packed, cell_m, key)
+
+
+@dataclass
+class Laid:
+    """A line on a window of a grid: what the nearest of its points is `(rows, cols)`, and how far away.
+
+    `near`: within reach of it; elsewhere the rest means nothing.
+    """
+
+    rows: slice
+    cols: slice
+    nearest: np.ndarray
+    off_m: np.ndarray  # metres across
+    ahead_m: np.ndarray  # metres along, beyond that point
+    near: np.ndarray
+
+
+def along(line: Line, shape: tuple[int, int], cell_m: float, beyond_m: float) -> Laid:
+    """Where the samples of a grid lie along a line, up to `beyond_m` past its width."""
+    from scipy.spatial import cKDTree
+
+    reach = float(line.half_m.max()) + beyond_m
+    low = [int(np.clip((v.min() - reach) // cell_m, 0, n)) for v, n in zip((line.y, line.x), shape, strict=True)]
+    high = [int(np.clip((v.max() + reach) // cell_m + 2, 0, n)) for v, n in zip((line.y, line.x), shape, strict=True)]
+    rows, cols = (slice(a, max(b, a)) for a, b in zip(low, high, strict=True))
+    y, x = np.mgrid[rows, cols] * cell_m
+    nearest, off_m, ahead_m = np.zeros(y.shape, np.int64), np.full(y.shape, np.inf), np.zeros(y.shape)
+    near = _near(line, y, x, cell_m, reach)
+    off_m[near], nearest[near] = cKDTree(np.stack([line.x, line.y], -1)).query(np.stack([x[near], y[near]], -1))
+    near &= off_m <= line.half_m[nearest] + beyond_m
+    way = np.stack([np.gradient(line.x), np.gradient(line.y)])
+    way /= np.maximum(np.hypot(*way), 1e-9)
+    ahead_m[near] = ((x - line.x[nearest]) * way[0][nearest] + (y - line.y[nearest]) * way[1][nearest])[near]
+    return Laid(rows, cols, nearest, off_m, ahead_m, near)
+
+
+def _near(line: Line, y: np.ndarray, x: np.ndarray, cell_m: float, reach: float) -> np.ndarray:
+    """Which samples may lie within reach of the line: only those are asked for the nearest point."""
+    near = np.zeros(y.shape, bool)
+    if near.size:
+        row = np.clip(((line.y - y[0, 0]) / cell_m).astype(int), 0, y.shape[0] - 1)
+        col = np.clip(((line.x - x[0, 0]) / cell_m).astype(int), 0, y.shape[1] - 1)
+        near[row, col] = True
+        near = ndimage.distance_transform_edt(~near) <= reach / cell_m + 2
+    return near
+
+
+def _lay(packed: np.ndarray, line: Line, cell_m: float, sea_m: float) -> None:
+    """A river over what the map has there: where two meet, the one that a place is more inside of."""
+    bank_m = BANK_CELLS * cell_m
+    laid = along(line, packed.shape[:2], cell_m, bank_m)
+    i, here = laid.nearest, packed[laid.rows, laid.cols]
+    along_m, last = line.along_m[i] + laid.ahead_m, len(line.x) - 1
+    mouth_m = line.along_m[min(line.mouth, last)]
+    share = np.clip((line.half_m[i] + bank_m - laid.off_m) / bank_m, 0, 1)
+    share[(i == last) & (laid.ahead_m > 0) | (i == 0) & (laid.ahead_m < -bank_m)] = 0.0
+    waves = np.zeros(i.shape)
+    if line.mouth <= last:
+        tail_m = line.along_m[-1] - mouth_m
+        share *= np.clip((line.along_m[-1] - along_m) / (0.4 * tail_m), 0, 1)
+        up = (mouth_m - along_m) / (2 * TIDAL * line.half_m[line.mouth])
+        waves = np.clip(1 - up, 0, 1) ** 2 * (1 + 2 * np.clip(up, 0, 1))
+    fall = np.gradient(line.level_m, line.along_m)
+    rough = np.clip((-fall - ROUGH_FALL[0]) / (ROUGH_FALL[1] - ROUGH_FALL[0]), 0, 1)
+    level_m = line.level_m[i] + fall[i] * np.clip(laid.ahead_m, -1, 1) - sea_m
+    more = share > here[..., 1]
+    for channel, values in enumerate((level_m, share, along_m, np.where(waves > 0, waves, -rough[i]))):
+        here[..., channel][more] = values[more]
+
+
+def _paint(packed: np.ndarray, level: Level, stride: int) -> None:
+    """Painted water over the rivers; its level goes on under its banks as at the nearest painted place."""
+    if level.layers["river_mask"].neutral:
+        return
+    mask, surface = (level.layers[name].read(level.grid.rect)[::stride, ::stride] for name in
+                     ("river_mask", "river_surface"))  # fmt: skip
+    inside = mask > 0.5
+    if not inside.any():
+        return
+    away, (row, col) = ndimage.distance_transform_edt(~inside, return_indices=True)
+    share = np.clip((1.5 * BANK_CELLS - away) / BANK_CELLS, 0, 1)
+    more = share >= np.maximum(packed[..., 1], 1e-6)
+    packed[..., 0] = np.where(more, surface[row, col] - level.mean_sea_m, packed[..., 0])
+    packed[..., 1] = np.where(more, share, packed[..., 1])
+    packed[..., 3] = np.where(more, 0.0, packed[..., 3])
+
+
+def _even(packed: np.ndarray) -> None:
+    """The level a little smoothed within the water, then carried on past its rim, so that no filter meets a hole."""
+    own = packed[..., 1] > 0
+    if not own.any():
+        return
+    weight = ndimage.gaussian_filter(own.astype(np.float32), SMOOTH_CELLS)
+    stage = ndimage.gaussian_filter(np.where(own, packed[..., 0], 0).astype(np.float32), SMOOTH_CELLS)
+    near = weight > 1e-3
+    packed[..., 0] = np.where(near, stage / np.maximum(weight, 1e-3), 0.0)
+    away, (row, col) = ndimage.distance_transform_edt(~near, return_indices=True)
+    packed[..., 0] = np.where(away < 4, packed[row, col, 0], 0.0)
+    packed[..., 3] = np.where(own, packed[..., 3], np.where(away < 4, packed[row, col, 3], 1.0))

@@ -1,0 +1,116 @@
+"""Water that isn't the sea: its line, its level, the mouth, CPU against GPU (D13, D35, H32)."""
+
+import numpy as np
+import pytest
+from coasts import make_beach
+from points import feedback
+from pydantic import ValidationError
+from shorewright.level.objects import River
+from shorewright.level.river_bed import carved
+from shorewright.level.river_line import centre_line
+from shorewright.level.river_map import river_map
+from shorewright.level.waves import sea_at, surface_at
+
+
+def down(x0, y0, x1, y1, levels, width_m=8.0, speed_mps=1.0, **more):
+    """A straight river with points at these levels."""
+    way = np.linspace(0, 1, len(levels))
+    points = tuple((float(u * (x1 - x0)), float(u * (y1 - y0)), width_m, float(v), speed_mps)
+                   for u, v in zip(way, levels, strict=True))  # fmt: skip
+    return River(id="river", x=x0, y=y0, points=points, **more)
+
+
+def coast(**more):
+    """A beach that rises to the north with a river in a bed of its own: 100 m down a slope into the sea."""
+    level = make_beach(rows=161, cols=121)
+    level.set("sea.swell_m", 0.3)
+    river = down(60, 155, 60, 74, (4.5, 3.0, 2.4, 0.5, 0.0), **more)
+    level.write("height", *carved(level, river))
+    level.put_object("river", river)
+    return level
+
+
+@pytest.mark.parametrize(
+    ("points", "says"),
+    [
+        ([(0, 0, 5, 1, 1)], "two points"),
+        ([(0, 0, 5, 1, 1), (50, 0, 0, 1, 1)], "0 m wide"),
+        ([(0, 0, 5, 1, 1), (50, 0, 5, 2, 1)], "1.00 m higher"),
+        ([(0, 0, 5, 1, 1), (0, 0, 5, 1, 1)], "one place"),
+        ([(0, 0, 5, 3, 1), (50, 0, 5, 2, 1), (50, 50, 5, 2, 1), (20, -30, 5, 1, 1)], "crosses itself"),
+        ([(0, 0, 5, 3, 99), (50, 0, 5, 2, 1)], "99 m/s"),
+    ],
+)
+def test_wrong_lines_are_told(points, says):
+    """D13: two points or more, of some width, downhill, never across themselves."""
+    with pytest.raises(ValidationError, match=says):
+        River(id="river", points=points)
+
+
+def test_the_dense_line_runs_through_its_points_and_downhill():
+    """D13: no overshoot of the level between two points, even past a fall."""
+    points = ((0, 0, 4, 9, 1), (40, 10, 6, 8.9, 1), (45, 12, 6, 2, 2), (90, 0, 9, 2, 1), (120, 40, 12, 0, 1))
+    line = centre_line(River(id="river", x=7, y=3, points=points, reach_m=0), 0.0)
+    for east, north, width, level, speed in points:
+        at = np.argmin(np.hypot(line.x - 7 - east, line.y - 3 - north))
+        found = line.x[at] - 7, line.y[at] - 3, 2 * line.half_m[at], line.level_m[at], line.speed_mps[at]
+        np.testing.assert_allclose(found, (east, north, width, level, speed), atol=1e-9)
+    assert (np.diff(line.level_m) <= 1e-12).all()
+    assert np.diff(line.along_m).max() < 1.6
+
+
+def test_the_bed_is_carved_under_the_water_and_holds_it():
+    """D13: water in the middle is as deep as asked, and no bank lies lower than the water beside it."""
+    level = coast()
+    made, ground = river_map(level), level.height
+    middle = level.mean_sea_m + made.packed[150, 60, 0] - ground[150, 60]
+    assert middle == pytest.approx(1.2, abs=0.1)
+    rows = slice(90, 154)
+    over = made.packed[rows, :, 0] - ground[rows]
+    rim = (made.packed[rows, :, 1] > 0) & (made.packed[rows, :, 1] < 0.5)
+    assert rim.any()
+    assert (over[rim] < 0.02).all()
+    before, after = make_beach(rows=161, cols=121).height, ground
+    assert (after[:, :20] == before[:, :20]).all()
+
+
+def test_surface_stands_at_the_rivers_level_inland_and_at_the_seas_outside():
+    """H32: water at any level is one surface with the sea."""
+    level = coast()
+    level.set("river.wave_m", 0.0)
+    inland = sea_at(level, 3.0, np.full(3, 60.0), np.array([150.0, 130.0, 110.0]))
+    expected = river_map(level).packed[[150, 130, 110], 60, 0]
+    np.testing.assert_allclose(inland.height_m, expected, atol=2e-3)
+    far = np.full(3, 20.0), np.array([10.0, 30.0, 60.0])
+    bare = make_beach(rows=161, cols=121)
+    bare.set("sea.swell_m", 0.3)
+    np.testing.assert_array_equal(sea_at(level, 3.0, *far).height_m, sea_at(bare, 3.0, *far).height_m)
+
+
+@pytest.mark.parametrize("tide_m", [0.0, 0.8, -0.5])
+def test_no_step_and_no_kink_through_the_mouth(tide_m):
+    """D35: along the middle from river to sea, height and slope change as smoothly as anywhere in the sea."""
+    level = coast()
+    level.set("sea.swell_m", 0.0)
+    level.set("sea.chop_m", 0.0)
+    level.set("shore.on", False)
+    level.set("river.wave_m", 0.0)
+    level.tide_m = tide_m
+    y = np.arange(20.0, 150.0, 0.05)
+    height = sea_at(level, 0.0, np.full(y.shape, 60.0), y).height_m
+    assert np.abs(np.diff(height)).max() < 0.05 * 0.25
+    assert height[0] == pytest.approx(tide_m, abs=1e-6)
+    assert height.min() >= tide_m - 1e-6
+
+
+@pytest.mark.gl
+@pytest.mark.parametrize("t", [0.0, 604_800.0])
+def test_shader_and_twin_agree(ctx, t):
+    """D30 with a river: 10,000 points within a millimetre at 0 and a week."""
+    level = coast()
+    level.set("river.wave_m", 0.2)
+    rng = np.random.default_rng(1)
+    at = rng.uniform((0, 0), (120, 160), (10_000, 2))
+    twin = surface_at(level, t, at[:, 0], at[:, 1])
+    seen = feedback(ctx, level, t, at)
+    assert np.abs(seen[:, 2] - twin.height_m).max() < 1e-3
