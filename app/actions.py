@@ -13,7 +13,7 @@ from ..brushes import BRUSHES
 from ..level.cloud_types import CLOUD_TYPES
 from ..level.environments import ENVIRONMENTS
 from ..level.framing import frame
-from ..level.objects import Shot, WaveObject
+from ..level.objects import River, Shot, WaveObject
 from ..level.weather_presets import WEATHERS
 from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
@@ -158,6 +158,15 @@ def _rows() -> list[Action]:
         Action("object.right", "Turn the object right", ("Ctrl+]",), "Edit", _turn(15.0), _has_object, repeats=True),
         Action("wave.fit", "Fit the wave to the bay", (), "Place", _fit(False), _has_wave),
         Action("wave.fit_place", "Fit the wave to the bay and move it there", (), "Place", _fit(True), _has_wave),
+        Action(
+            "river.snap",
+            "Bring the river down to the ground that it runs over",
+            (),
+            "Place",
+            _river("river_snap"),
+            _has_river,
+        ),
+        Action("river.carve", "Carve the bed that the river needs", (), "Place", _river("river_carve"), _has_river),
         Action("palette", "Find a command…", ("Ctrl+P",), "Edit", lambda s: s.ask("palette")),
         Action("frame", "Frame what is pointed at", ("F",), "View", Session.frame),
         Action("frame_all", "Frame the whole level", ("Shift+F",), "View", _frame_all),
@@ -233,6 +242,14 @@ def _has_object(session: Session) -> bool:
 
 def _has_wave(session: Session) -> bool:
     return isinstance(session.level.objects.get(session.selected), WaveObject)
+
+
+def _has_river(session: Session) -> bool:
+    return isinstance(session.level.objects.get(session.selected), River)
+
+
+def _river(verb: str) -> Callable[[Session], None]:
+    return lambda session: getattr(session, verb)(session.selected)
 
 
 def _fit(place: bool) -> Callable[[Session], None]:

@@ -205,6 +205,10 @@ class Edits(FrontEdits):
                 options = {"invert": action.invert, "smooth": action.smooth}
                 params = self.with_params(action.brush, action.params, fresh=True)
                 self.draw(action.brush, params, action.points, **options)
+            case words.CarveRiver():
+                self.river_carve(action.id)
+            case words.FillWater():
+                self.fill_water(*action.at, action.level_m, action.drain)
             case words.ShapeFront():
                 self.shape_front(**action.model_dump(exclude={"do"}))
             case words.Set():

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from imgui_bundle import imgui
 
-from ..level.objects import Placed
-from . import theme, wave_gizmo
+from ..level.objects import Placed, River
+from . import river_gizmo, theme, wave_gizmo
 from .brush_ring import hidden_by_land
 from .camera_control import to_screen
 from .object_markers import Marker, at_pixel, heading, outlines, shown
@@ -67,7 +67,12 @@ class MarkerOverlay:
         session = self.session
         for line in wave_gizmo.lines(session.level, thing, session.clock.time_s):
             self.overlay.line(line.points, ink, line.alpha * (1.0 if chosen else 0.6), line.width)
-        found = wave_gizmo.handles(session.level, thing) if chosen and session.tool == SELECT else {}
+        held = chosen and session.tool == SELECT
+        found = wave_gizmo.handles(session.level, thing) if held else {}
+        if isinstance(thing, River):
+            for points, alpha, width in river_gizmo.lines(session.level, thing):
+                self.overlay.line(points, ink, alpha * (1.0 if chosen else 0.6), width)
+            found = river_gizmo.handles(session.level, thing, session.river_point) if held else {}
         if not found:
             return
         pixels, ahead = to_screen(session.camera, self.overlay.size, np.array(list(found.values())))

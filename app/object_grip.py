@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from ..level.objects import Placed
+from ..level.objects import Placed, River
 from ..renderer.camera import camera_matrices
-from . import placing, wave_gizmo
+from . import placing, river_gizmo, wave_gizmo
 from .camera_control import place
 from .editor import Editor
 from .object_markers import at_pixel
-from .tools import SELECT
+from .tools import LAKE, SELECT
 
 HELD_PX = 3.0  # a hand is never quite still: a shorter way is a click
 TURN_DEG_PER_PX = 0.5
@@ -23,6 +23,7 @@ class Grip:
         self.editor = editor
         self._thing: Placed | None = None
         self._how = ""
+        self._lift = False
         self._pressed = (0.0, 0.0)
         self._from: tuple[float, float, float] | None = None
         self._moving = False
@@ -34,9 +35,19 @@ class Grip:
         self._from = self.surface(where, size)
         if session.tool == SELECT:
             held = session.level.objects.get(session.selected)
-            handle = wave_gizmo.handle_at(session.level, session.camera, size, held, where)
+            if isinstance(held, River):
+                if turn and self._from is not None:
+                    return self._more_river(held)
+                handle = self._river_handle(held, size, where)
+            else:
+                handle = wave_gizmo.handle_at(session.level, session.camera, size, held, where)
             self._how = handle or self._how
+            self._lift = lift
             session.selected = session.selected if handle else at_pixel(session.level, session.camera, size, where)
+        elif session.tool == LAKE:
+            if self._from is not None:
+                self.editor.attempt(session.fill_water, *self._from[:2], None, turn)
+            return False
         else:
             self._how = "move"
             if self._from is None:
@@ -45,6 +56,23 @@ class Grip:
                 return False
         self._thing = session.level.objects.get(session.selected)
         return self._thing is not None
+
+    def _river_handle(self, river: River, size, where) -> str:
+        """The handle of a river under the pointer; its point is the one in hand from now on."""
+        session = self.editor.session
+        handle = river_gizmo.handle_at(session.level, session.camera, size, river, session.river_point, where)
+        session.river_point = river_gizmo.number(handle) if handle else -1
+        return handle
+
+    def _more_river(self, river: River) -> bool:
+        """A point more in the river's line, or at its end; the pointer holds nothing."""
+        session, (x, y, _) = self.editor.session, self._from
+        if river_gizmo.beyond(river, x, y):
+            self.editor.attempt(session.river_extend, river.id, x, y)
+        else:
+            found = self.editor.attempt(session.river_insert, river.id, x, y)
+            session.river_point = -1 if found is None else found
+        return False
 
     def drag(self, where, size) -> bool:
         """Follow the pointer; False when the object is gone or let go."""
@@ -93,14 +121,21 @@ class Grip:
 
     def _handled(self, thing: Placed, way, where, size) -> dict:
         """A handle of a wave object goes where the pointer meets the surface."""
+        if isinstance(thing, River) and self._lift and self._how.startswith(river_gizmo.POINT):
+            return river_gizmo.lifted(thing, self._how, -way[1] * self._pixel_m(thing.x, thing.y, 0.0, size))
         now = self.surface(where, size)
+        if isinstance(thing, River):
+            return river_gizmo.dragged(thing, self._how, *now[:2]) if now is not None else {}
         return wave_gizmo.dragged(self.editor.session.level, thing, self._how, *now[:2]) if now is not None else {}
 
     def _lifted(self, thing: Placed, way, where, size) -> dict:
         """Up and down by as much as the pointer goes at the object's distance."""
         if not hasattr(thing, "z"):
             return {}
+        return {"z": round(thing.z - way[1] * self._pixel_m(thing.x, thing.y, thing.z, size), 3)}
+
+    def _pixel_m(self, x: float, y: float, z: float, size) -> float:
+        """How much of the world a pixel is high at a place."""
         camera = self.editor.session.camera
-        away = float(np.linalg.norm(place(camera) - (thing.x, thing.y, thing.z)))
-        pixel_m = 2 * away * np.tan(np.radians(camera.fov_deg) / 2) / size[1]
-        return {"z": round(thing.z - way[1] * pixel_m, 3)}
+        away = float(np.linalg.norm(place(camera) - (x, y, z)))
+        return 2 * away * np.tan(np.radians(camera.fov_deg) / 2) / size[1]

@@ -50,6 +50,8 @@ PLACEABLES: dict[str, Placeable] = {
                   "Waves of its own in a circle, straight or curved (H08 H09)."),
         Placeable("wave_region", "wave_region", "region", "Wave region", "bullseye",
                   "A circle in which the sea's own waves are higher, longer or turned (D32)."),
+        Placeable("river", "river", "river", "River", "bridge_water",
+                  "A river from here down to the sea; then its points are drawn about (D13)."),
         Placeable("sea_seed", "sea_seed", "seed", "Sea seed", "droplet", "Water here counts as sea."),
         Placeable("weather_key", "weather_key", "weather", "Weather", "cloud_sun",
                   "Weather that comes at this moment, everywhere or over its circle (D36).", clicks=False),
@@ -111,6 +113,8 @@ def put(session: Session, name: str, at: tuple[float, float, float] | None = Non
         session.shot_add(thing_id)
     elif name == "camera":
         session.place(session.camera.model_copy(update={"id": thing_id}), merge)
+    elif name == "river":
+        session.river_begin(thing_id, x, y)
     elif name == "prop":
         thing_id = _put_prop(session, thing_id, x, y, merge)
     else:
@@ -156,7 +160,12 @@ def duplicate(session: Session) -> None:
 
 
 def delete(session: Session) -> None:
-    """Remove the selected object."""
+    """Remove the selected object, or the point of it that is in hand."""
+    thing = session.level.objects.get(session.selected)
+    if getattr(thing, "points", ()) and 0 <= session.river_point < len(thing.points):
+        session.river_delete(thing.id, session.river_point)
+        session.river_point = -1
+        return
     session.remove(session.selected)
     session.selected = ""
 

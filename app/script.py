@@ -54,6 +54,22 @@ class ShapeFront(Do):
     slope_deg: float = 35.0
 
 
+class CarveRiver(Do):
+    """The bed that a river needs (D13)."""
+
+    do: Literal["carve_river"] = "carve_river"
+    id: str
+
+
+class FillWater(Do):
+    """A hollow filled with water up to a level, or drained (D13)."""
+
+    do: Literal["fill_water"] = "fill_water"
+    at: tuple[Metres, Metres]
+    level_m: float = Field(ge=-12_000, le=12_000)
+    drain: bool = False
+
+
 class Set(Do):
     do: Literal["set"] = "set"
     name: str
@@ -171,6 +187,8 @@ class WeatherImport(Do):
 Action = Annotated[
     Stroke
     | ShapeFront
+    | CarveRiver
+    | FillWater
     | Set
     | SetAll
     | Time

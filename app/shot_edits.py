@@ -15,12 +15,13 @@ from ..level.shot_skies import laid_on, paint_of, sky_at, sky_of_paint
 from ..level.shots import SHAPE, sky_name, sky_of
 from ..level.tiles import pack, unpack
 from . import script as words
-from .object_edits import Objects, checked_object
+from .object_edits import checked_object
+from .river_edits import RiverEdits
 
 SOURCES = ("now", "paint")
 
 
-class Shots(Objects):
+class Shots(RiverEdits):
     """Skies of their own for a camera and a stretch of time."""
 
     clock: Clock

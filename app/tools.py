@@ -8,7 +8,7 @@ from ..level import BadInput
 from .placing import PLACEABLES
 from .session import Session
 
-BRUSH, SELECT, FRONT = "brush", "select", "front"
+BRUSH, SELECT, FRONT, LAKE = "brush", "select", "front", "lake"
 
 
 @dataclass(frozen=True)
@@ -28,6 +28,8 @@ TOOLS: dict[str, Tool] = {
              "Click selects an object, drag moves it; Ctrl+drag turns, Shift+drag raises it.", ("V",)),
         Tool(FRONT, "Shape front", "wave_square",
              "Drag a crest where it shall stand at this moment; the bed follows. Shift draws that part anew.", ("C",)),
+        Tool(LAKE, "Fill with water", "fill_drip",
+             "Click fills the hollow there almost to its brim; Ctrl+click drains it."),
         *(
             Tool(row.name, row.title, row.glyph, f"Click drops one, drag goes on to move it. {row.doc}")
             for row in PLACEABLES.values() if row.clicks
@@ -43,7 +45,7 @@ def pick_tool(session: Session, name: str) -> None:
     if name == "prop" and not session.level.meshes:
         session.ask("prop")
     session.tool = name
-    if name not in (SELECT, BRUSH, FRONT):
+    if name not in (SELECT, BRUSH, FRONT, LAKE):
         session.selected = ""
 
 

@@ -13,12 +13,12 @@ from .panels import views_panel
 from .param_widgets import tooltip
 from .picture import Picture
 from .shape_overlay import ShapeOverlay
-from .tools import BRUSH, FRONT, SELECT, TOOLS
+from .tools import BRUSH, FRONT, LAKE, SELECT, TOOLS
 from .viewport_overlay import Overlay, stroke_text
 from .viewport_pointer import Pointer
 
 _FLAGS = imgui.ButtonFlags_
-FIRST_OF_GROUP = {next(name for name in TOOLS if name not in (BRUSH, SELECT, FRONT)): "Drop"}
+FIRST_OF_GROUP = {next(name for name in TOOLS if name not in (BRUSH, SELECT, FRONT, LAKE)): "Drop"}
 BUTTONS = _FLAGS.mouse_button_left | _FLAGS.mouse_button_right | _FLAGS.mouse_button_middle
 
 

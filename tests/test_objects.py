@@ -12,7 +12,7 @@ from shorewright.app.panels import gradient
 from shorewright.app.panels.objects_panel import HIDDEN_FIELDS, fields
 from shorewright.app.preferences import Preferences
 from shorewright.app.session import Session
-from shorewright.app.tools import BRUSH, FRONT, SELECT, TOOLS, pick_tool, put_away
+from shorewright.app.tools import BRUSH, FRONT, LAKE, SELECT, TOOLS, pick_tool, put_away
 from shorewright.level import BadInput
 from shorewright.level.objects import OBJECT_KINDS
 
@@ -176,7 +176,7 @@ def test_tools_drop_where_one_clicks(session, grip):
         pick_tool(session, "hammer")
     session.pick_brush("lower")
     assert session.tool == BRUSH
-    assert set(TOOLS) == {BRUSH, SELECT, FRONT, *(row.name for row in placing.PLACEABLES.values() if row.clicks)}
+    assert set(TOOLS) == {BRUSH, SELECT, FRONT, LAKE, *(row.name for row in placing.PLACEABLES.values() if row.clicks)}
 
 
 def test_the_sea_is_met_before_its_bed(session):

@@ -5,10 +5,15 @@ import pytest
 from coasts import make_beach
 from points import feedback
 from pydantic import ValidationError
+from shorewright.app.script import Script
+from shorewright.app.session import Session
+from shorewright.level import BadInput, Grid, Level
 from shorewright.level.objects import River
 from shorewright.level.river_bed import carved
+from shorewright.level.river_edit import deleted, inserted, set_point, snapped
 from shorewright.level.river_line import centre_line
 from shorewright.level.river_map import river_map
+from shorewright.level.river_trace import traced
 from shorewright.level.waves import sea_at, surface_at
 
 
@@ -114,3 +119,81 @@ def test_shader_and_twin_agree(ctx, t):
     twin = surface_at(level, t, at[:, 0], at[:, 1])
     seen = feedback(ctx, level, t, at)
     assert np.abs(seen[:, 2] - twin.height_m).max() < 1e-3
+
+
+def valley():
+    """A slope with a winding valley down to the sea."""
+    y, x = np.mgrid[0:161, 0:121].astype(float)
+    middle = 60 + 15 * np.sin(y / 25)
+    return Level(Grid(161, 121, 1.0), (0.05 * (y - 50) + 0.002 * (x - middle) ** 2).astype(np.float32))
+
+
+def test_a_new_river_follows_its_valley_to_the_sea():
+    """D13: traced from a spring, downhill all the way, near the valley's bottom, into the sea."""
+    level = valley()
+    points = np.array(traced(level, 62.0, 150.0))
+    x, y = points[:, 0] + 62, points[:, 1] + 150
+    assert (np.diff(points[:, 3]) <= 0).all()
+    assert level.height[int(y[-1]), int(x[-1])] < 0
+    assert np.abs(x - (60 + 15 * np.sin(y / 25))).max() < 10
+    assert traced(level, 60.0, 10.0)[-1][3] == pytest.approx(0.0)  # from out at sea, it comes from the land
+
+
+def test_points_are_inserted_deleted_and_kept_downhill():
+    """D13: a point more leaves the line where it was; a level stays between its neighbours'."""
+    river = down(60, 155, 60, 74, (4.5, 3.0, 0.0))
+    points, n = inserted(river, 61.0, 140.0)
+    assert n == 1
+    more = river.model_copy(update={"points": points})
+    np.testing.assert_allclose(centre_line(more, 0.0).level_m.max(), 4.5)
+    assert points[1][3] == pytest.approx(np.interp(15, [0, 40.5], [4.5, 3.0]), abs=0.2)
+    assert deleted(more, 1) == river.points
+    assert set_point(river, 1, level_m=9.0)[1][3] == 4.5
+    assert set_point(river, 1, level_m=-9.0)[1][3] == 0.0
+    with pytest.raises(BadInput, match="two points"):
+        deleted(down(60, 155, 60, 74, (4.5, 3.0)), 0)
+
+
+def test_levels_snap_to_the_lowest_ground_so_far():
+    """D13: snapped to the bed, never uphill."""
+    level = valley()
+    river = River(id="r", x=60.0, y=150.0, points=((0, 0, 6, 50, 1), (10, -60, 6, 40, 1), (0, -120, 6, 30, 1)))
+    found = [point[3] for point in snapped(level, river)]
+    assert found == sorted(found, reverse=True)
+    assert found[-1] == 0.0
+    assert found[0] == pytest.approx(level.height[150, 60], abs=0.1)
+
+
+def test_a_hollow_is_filled_to_a_level_and_drained(tmp_path):
+    """H32 D13: the basin alone is wet, undo takes it back; what would run out is refused."""
+    y, x = np.mgrid[0:81, 0:81].astype(float)
+    bowl = 5 + 0.02 * ((x - 40) ** 2 + (y - 40) ** 2).clip(0, 400)
+    level = Level(Grid(81, 81, 1.0), bowl.astype(np.float32))
+    with Session(level) as session:
+        assert session.fill_water(40, 40, 8.0) == (bowl < 8).sum()
+        wet = river_map(level).wet & (level.height < 8)
+        np.testing.assert_array_equal(wet, bowl < 8)
+        assert sea_at(level, 0.0, np.array([40.0]), np.array([45.0])).height_m[0] == pytest.approx(8.0, abs=1e-4)
+        with pytest.raises(BadInput, match="out of the level"):
+            session.fill_water(40, 40, 20.0)
+        with pytest.raises(BadInput, match="ground here"):
+            session.fill_water(40, 40, 4.0)
+        session.fill_water(40, 40, 8.0, drain=True)
+        assert not river_map(level).wet.any()
+        session.undo()
+        session.undo()
+        assert river_map(level) is None
+
+
+def test_carving_is_one_step_and_a_word_of_the_script():
+    """D13: undo ∘ do is the identity; the script carves the same bytes."""
+    first, again = Session(valley()), Session(valley())
+    before = first.level.height.copy()
+    first.river_begin("creek", 62.0, 150.0)
+    first.river_carve("creek")
+    carved_m = first.level.height.copy()
+    assert (carved_m != before).any()
+    again.run(Script(actions=first.record))
+    np.testing.assert_array_equal(again.level.height, carved_m)
+    first.undo()
+    np.testing.assert_array_equal(first.level.height, before)

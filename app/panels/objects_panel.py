@@ -19,9 +19,9 @@ from ..editor import Editor
 from ..object_markers import markers
 from ..placing import BY_KIND, PLACEABLES
 from ..tools import SELECT
-from . import gradient
+from . import gradient, river_points
 
-HIDDEN_FIELDS = ("id", "kind", "stops", "mesh", "map", "camera")  # what has a widget of its own, or none
+HIDDEN_FIELDS = ("id", "kind", "stops", "points", "mesh", "map", "camera")  # what has a widget of its own, or none
 LIST_SHARE = 0.42
 FRAMED_M = 30.0  # how far off the camera stands from what it goes to
 _state = {"filter": "", "renaming": "", "name": "", "seen": ""}
@@ -155,6 +155,8 @@ def _selected(editor: Editor, thing: Placed) -> None:
         _sky(editor, thing)
     if thing.kind == "weather_key":
         _reach(editor, thing)
+    if thing.kind == "river":
+        river_points.draw(editor, thing)
     if thing.kind == "wave":
         _fit(editor, thing)
     param_widgets.draw_all(
