@@ -19,7 +19,7 @@ from ..renderer.show import SHOW_FLAGS
 from ..renderer.views import VIEWS
 from . import placing, sky_brush, time_edits
 from .session import Session
-from .tools import BRUSH, SELECT, TOOLS, Tool, pick_tool, put_away
+from .tools import BRUSH, TOOLS, Tool, pick_tool, put_away
 
 SIZE_STEP = 1.12  # one press of [ or ]
 STRENGTH_STEP = 1.15
@@ -204,7 +204,7 @@ def _tool(name: str) -> Callable[[Session], None]:
 
 
 def _tool_title(row: Tool) -> str:
-    return row.title if row.name in (BRUSH, SELECT) else f"Drop: {row.title.lower()}"
+    return f"Drop: {row.title.lower()}" if row.name in placing.PLACEABLES else row.title
 
 
 def _put(name: str) -> Callable[[Session], object]:
