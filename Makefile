@@ -9,7 +9,7 @@ run: setup
 	@$(VENV)/python -m shorewright.app.launch $(LEVEL)
 
 test: setup lint
-	@$(VENV)/python -m pytest -n auto --dist loadfile
+	@$(VENV)/python -m pytest -n auto --dist loadfile --no-loadscope-reorder
 
 lint: setup
 	@$(VENV)/ruff check . && $(VENV)/ruff format --check . && $(VENV)/lint-imports --no-cache
