@@ -20,7 +20,8 @@ from scipy import ndimage
 from .arrival_map import BLOCKS, SWELLS, ArrivalMap
 from .breaking_map import breaking_block
 from .dispersion import group_speed, wavenumber
-from .gerstner import GRAVITY, Fronts
+from .earth import GRAVITY
+from .gerstner import Fronts
 from .level import Level
 from .sea_keys import fronts_at
 from .settings import Shore

@@ -1,9 +1,10 @@
-"""How long the window's main thread is held up while a coast is sculpted: processor time a frame, by part (T01 T06 T14).
+"""How long the window's main thread is held up while a coast is sculpted: processor time of frames (T01 T06 T14).
 
     xvfb-run -a -s "-screen 0 1280x800x24" python tests/window_stalls.py sculpt sample_levels/cove.shore OUT.json
 
-Work on a copy of a level. Two more scenarios are `by_depth` (the other clock) and `fronts`. A stall is what a frame took
-of the main thread but for drawing: OpenGL in software, and the widgets' own drawing, are left out. Prints a row an action.
+Work on a copy of a level. `by_travel` and `by_depth` do all of it, in either source of the timing. A stall is what a
+frame took of the main thread but for drawing: OpenGL in software, and the widgets' own, are left out. Prints a row an
+action: its longest stall, how many frames were over the limit, and what the longest was made of.
 """
 
 import gc
@@ -18,7 +19,6 @@ import window_drive
 import window_fronts
 from imgui_bundle import imgui
 from shorewright.app import picture as picture_module
-from shorewright.app import window as editor_window
 from shorewright.app.arrival_lender import ArrivalLender
 from shorewright.app.camera_control import to_screen
 from shorewright.app.editor import Editor
@@ -33,7 +33,6 @@ from shorewright.level import Journal, arrival, beach_map, flow, shaping_lines, 
 from shorewright.renderer import uniforms
 from shorewright.renderer.bounds import HeightBounds
 from shorewright.renderer.renderer import Renderer
-from shorewright.renderer.sky_textures import SkyTextures
 from shorewright.renderer.upload import Uploader
 from window_drive import CTRL, SHIFT, Hands
 
