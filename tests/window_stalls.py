@@ -39,7 +39,7 @@ from window_drive import CTRL, SHIFT, Hands
 DRAWN = ("_run", "finish", "widgets", "light")  # parts that are the drawing itself
 LIMIT_MS = 30.0
 FUNCTIONS = {
-    arrival: ("arrival", "asked_of"),
+    arrival: ("asked_of",),
     beach_map: ("beach_map",),
     flow: ("current",),
     shaping_lines: ("crest_near", "phase_at"),
