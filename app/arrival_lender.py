@@ -20,6 +20,7 @@ from ..level.request import Parts, Request
 ARRIVALS = "arrivals"  # the name of arrival maps among what is asked for
 BUSY_S = 0.015  # of processor time, from which on works in parts wait for the next frame
 PATIENCE = 2  # frames that one waits in a row
+GIVEN_UP = 60  # and after which nobody seems to ask for it any more
 
 
 class ArrivalLender:
@@ -63,19 +64,26 @@ class ArrivalLender:
     def beside(self, name: str, key: tuple, request: Callable[[], Request]) -> Any:
         """The answer of that name and key once it has come, else None."""
         if self._asked.get(name) != key:
+            if self._waits(name):
+                return None
+            del self._behind[name]
             self._ask(name, key, request())
         came = self._came.get(name)
         return came[1] if came is not None and came[0] == key else None
 
     def in_parts(self, name: str, parts: Parts) -> bool:
         """Go on with a work as far as this frame has time for it; True when it is done."""
-        waited = self._behind.setdefault(name, 0)
-        while waited >= PATIENCE or time.thread_time() - self._began_s < BUSY_S:
-            self._behind[name] = waited = 0
+        while not self._waits(name):
+            self._behind[name] = 0
             if next(parts, self) is self:
                 del self._behind[name]
                 return True
         return False
+
+    def _waits(self, name: str) -> bool:
+        """Whether this frame has done so much that a work had better be left for the next."""
+        waited = self._behind.setdefault(name, 0)
+        return waited < PATIENCE and time.thread_time() - self._began_s > BUSY_S
 
     def _ask(self, name: str, key: tuple, request: Request) -> None:
         self._asked[name] = key
@@ -97,7 +105,7 @@ class ArrivalLender:
     def look(self) -> bool:
         """Take in what has come, once a frame; True when that is something new, or something goes on in parts."""
         self._began_s = time.thread_time()
-        self._behind = {name: waited + 1 for name, waited in self._behind.items()}
+        self._behind = {name: waited + 1 for name, waited in self._behind.items() if waited < GIVEN_UP}
         found = self._worker.poll()
         self._next()
         if found is None:
