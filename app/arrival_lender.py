@@ -18,7 +18,7 @@ from ..level.arrival_map import BREAKS, HEIGHTS, TIMES, ArrivalMap
 from ..level.request import Parts, Request
 
 ARRIVALS = "arrivals"  # the name of arrival maps among what is asked for
-BUSY_S = 0.015  # of processor time, from which on works in parts wait for the next frame
+BUSY_S = 0.01  # of processor time, from which on works in parts wait for the next frame
 PATIENCE = 2  # frames that one waits in a row
 GIVEN_UP = 60  # and after which nobody seems to ask for it any more
 
@@ -79,6 +79,11 @@ class ArrivalLender:
                 del self._behind[name]
                 return True
         return False
+
+    @property
+    def behind(self) -> bool:
+        """Whether works are left for coming frames."""
+        return bool(self._behind)
 
     def _waits(self, name: str) -> bool:
         """Whether this frame has done so much that a work had better be left for the next."""

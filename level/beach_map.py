@@ -75,7 +75,7 @@ def beach_map(level: Level) -> BeachMap:
         finished(_update(level, have, [every]))
         return have
     while have.work is not None or have.revision != source.revision:
-        have.work = have.work or _update(level, have, source.changed_since(have.revision))
+        have.work = have.work or _update(level, have)
         if level.solver is None:
             finished(have.work)
         elif not level.solver.in_parts("beach_map", have.work):
@@ -84,11 +84,11 @@ def beach_map(level: Level) -> BeachMap:
     return have
 
 
-def _update(level: Level, have: BeachMap, changed: list[Rect]) -> Iterator[None]:
+def _update(level: Level, have: BeachMap, changed: list[Rect] | None = None) -> Iterator[None]:
     """Work out what changed of the field; what changes meanwhile is in the next update."""
     source, at = have.source, have.source.revision
     every = Rect(0, 0, *source.packed.shape[:2])
-    for rect in changed:
+    for rect in changed or source.changed_since(have.revision):
         wide = rect.pad(_reach(have)).intersect(every)
         for band in _bands(wide):
             sand = band.intersect(rect)

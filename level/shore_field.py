@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -151,7 +151,7 @@ def _whole(level: Level, seeds: tuple) -> ShoreField:
         level.settings.shore.distance_range_m, stride, times, wet, sea,
     )  # fmt: skip
     every = Rect(0, 0, *wet.shape)
-    finished(_measure(made, every, _surroundings(level, made, every)))
+    finished(_measure(level, made, every))
     _bare(level, made, every)
     finished(_pack(made, every))
     return made
@@ -164,24 +164,18 @@ def _depth(level: Level, stride: int, rect: Rect | None = None) -> np.ndarray:
 
 
 def _update(level: Level, have: ShoreField, seeds: tuple, at: int) -> Iterator[None]:
-    """Work out the windows that changes of height reach.
-
-    Masks and depths are those of one moment; what changes meanwhile is in the next update's windows.
-    """
+    """Work out the windows that changes of height reach; what changes meanwhile is in the next update's."""
     every = Rect(0, 0, *have.wet.shape)
     rects = [_coarse(rect, have.stride).intersect(every) for rect in level.changed_since("height", have.revision)]
-    moved = _shore_moved(level, have, seeds, rects)
+    moved = yield from _shore_moved(level, have, seeds, rects)
     reach, bare_reach = _reach(have) + 1, beach_reach(have.cell_m * have.times)
     shores = merge(rect.pad(reach).intersect(every) for rect in moved)
     beaches = merge(rect.pad(bare_reach).intersect(every) for rect in rects)
-    pieces = [(piece, _surroundings(level, have, piece)) for window in shores for piece in _pieces(window)]
-    yield
-    for window in beaches:
-        for piece in _pieces(window):
-            _bare(level, have, piece)
-            yield
-    for piece, depth in pieces:
-        yield from _measure(have, piece, depth)
+    for piece in [piece for window in beaches for piece in _pieces(window)]:
+        _bare(level, have, piece)
+        yield
+    for piece in [piece for window in shores for piece in _pieces(window)]:
+        yield from _measure(level, have, piece)
     for window in merge((*shores, *beaches)):
         wide = window.pad(1).intersect(every)
         yield from _pack(have, wide)
@@ -200,7 +194,9 @@ def _coarse(rect: Rect, stride: int) -> Rect:
     return Rect(rect.row0 // stride, rect.col0 // stride, (rect.row1 - 1) // stride + 1, (rect.col1 - 1) // stride + 1)
 
 
-def _shore_moved(level: Level, have: ShoreField, seeds: tuple, rects: list[Rect]) -> list[Rect]:
+def _shore_moved(
+    level: Level, have: ShoreField, seeds: tuple, rects: list[Rect]
+) -> Generator[None, None, list[Rect]]:  # fmt: skip
     """Rectangles of mask cells in which the shoreline may have moved; brings both masks up to date."""
     every, flipped = Rect(0, 0, *have.wet.shape), False
     near = [rect.pad(1).intersect(every) for rect in rects]
@@ -211,10 +207,12 @@ def _shore_moved(level: Level, have: ShoreField, seeds: tuple, rects: list[Rect]
         have.wet[rect.slices] = wet
     if flipped:
         sea = joined_water(have.wet, have.wet & open_edge(have.wet.shape, seeds, have.cell_m * have.times))
-        rows, cols = np.nonzero(sea != have.sea)
+        yield
+        other = sea != have.sea
         have.sea = sea
+        rows, cols = (np.flatnonzero(other.any(axis=axis)) for axis in (1, 0))
         if len(rows):
-            moved.append(Rect(int(rows.min()), int(cols.min()), int(rows.max()) + 1, int(cols.max()) + 1).pad(1))
+            moved.append(Rect(int(rows[0]), int(cols[0]), int(rows[-1]) + 1, int(cols[-1]) + 1).pad(1))
     return merge(rect.intersect(every) for rect in moved)
 
 
@@ -227,21 +225,12 @@ def _reach(have: ShoreField) -> int:
     return math.ceil(have.range_m / (have.cell_m * have.times))
 
 
-def _around(have: ShoreField, rect: Rect) -> Rect:
-    """The mask cells that distances in `rect` depend on."""
-    return rect.pad(_reach(have) + NEAR + 2).intersect(Rect(0, 0, *have.wet.shape))
-
-
-def _surroundings(level: Level, have: ShoreField, rect: Rect) -> np.ndarray:
-    """Depths there, as they are now."""
-    return _depth(level, have.stride, _around(have, rect))
-
-
-def _measure(have: ShoreField, rect: Rect, depth: np.ndarray) -> Iterator[None]:
-    """Distances at the mask cells of `rect` and the texels between them, from the depths of its surroundings."""
-    window = _around(have, rect)
-    depth = _finer(depth, have.times)
+def _measure(level: Level, have: ShoreField, rect: Rect) -> Iterator[None]:
+    """Distances at the mask cells of `rect` and the texels between them."""
+    window = rect.pad(_reach(have) + NEAR + 2).intersect(Rect(0, 0, *have.wet.shape))
+    depth = _finer(_depth(level, have.stride, window), have.times)
     sea = _finer_any(have.sea[window.slices], have.times) & (depth > 0)
+    np.minimum(depth, 0, out=depth, where=~sea)  # what changed since the mask was made comes in the next update
     inner = _texels(rect.shifted(window), have.times)
     cells = yield from distance_in_parts(depth, sea, math.ceil(have.range_m / have.cell_m), inner)
     metres = np.clip(cells * np.float32(have.cell_m), -have.range_m, have.range_m)

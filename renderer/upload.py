@@ -245,7 +245,7 @@ class Uploader:
             return
         data = np.ascontiguousarray(values, {"f4": np.float32, "f2": np.float16, "f1": np.uint8}[dtype])
         size = rect.col1 - rect.col0, rect.row1 - rect.row0
-        self.textures[name].write(data.tobytes(), viewport=(rect.col0, rect.row0, *size), alignment=1)
+        self.textures[name].write(data, viewport=(rect.col0, rect.row0, *size), alignment=1)
         self.sent[name] += data.nbytes
 
     def release(self) -> None:
