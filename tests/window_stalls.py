@@ -4,7 +4,8 @@
 
 Work on a copy of a level. `by_travel` and `by_depth` do all of it, in either source of the timing. A stall is what a
 frame took of the main thread but for drawing: OpenGL in software, and the widgets' own, are left out. Prints a row an
-action: its longest stall, how many frames were over the limit, and what the longest was made of.
+action: its longest stall, how many frames were over the limit, and what the longest was made of. A busy computer takes
+longer for the same: `quiet` is the longest stall times how much quicker the quickest frame did a fixed piece of work.
 """
 
 import gc
@@ -36,8 +37,9 @@ from shorewright.renderer.renderer import Renderer
 from shorewright.renderer.upload import Uploader
 from window_drive import CTRL, SHIFT, Hands
 
-DRAWN = ("_run", "finish", "widgets", "light")  # parts that are the drawing itself
+DRAWN = ("_run", "finish", "widgets", "yardstick")  # parts that are the drawing itself
 LIMIT_MS = 30.0
+FIXED = np.ones(1 << 18, np.float32)
 FUNCTIONS = {
     arrival: ("asked_of",),
     beach_map: ("beach_map",),
@@ -93,6 +95,11 @@ class Frames:
         self.mark()
         self.rows[self.action].append(self._parts)
         self._parts = Counter()
+        self.enter("yardstick")
+        for _ in range(4):
+            np.sqrt(FIXED, out=FIXED)
+        sorted(map(str, range(1000)))
+        self.leave()
 
     def watched(self, part: str, work):
         @wraps(work)
@@ -135,11 +142,14 @@ class Frames:
     def told(self) -> dict[str, dict]:
         """By action: frames, the longest stall and its three largest parts."""
         found = {}
+        quickest = min(row["yardstick"] for rows in self.rows.values() for row in rows if row["yardstick"] > 0)
         for action, rows in self.rows.items():
             stalls = [sum(ms for part, ms in row.items() if part not in DRAWN) for row in rows]
             worst = rows[int(np.argmax(stalls))]
             parts = [(part, ms) for part, ms in worst.most_common() if part not in DRAWN]
             found[action] = {"frames": len(rows), "ms": max(stalls), "over": sum(ms > LIMIT_MS for ms in stalls)}
+            slower = float(np.median([row["yardstick"] for row in rows])) / quickest
+            found[action]["quiet"] = max(stalls) / max(slower, 1.0)
             found[action]["parts"] = {part: round(ms, 1) for part, ms in parts[:4]}
         return found
 
@@ -259,7 +269,8 @@ def _crest(hands: Hands) -> tuple[float, float]:
 def table() -> None:
     for action, row in FRAMES.told().items():
         parts = ", ".join(f"{part} {ms:g}" for part, ms in row["parts"].items())
-        print(f"{action:24} {row['frames']:4} frames  longest {row['ms']:6.1f} ms  over {row['over']:3}  {parts}")
+        longest = f"longest {row['ms']:6.1f} ms, quiet {row['quiet']:6.1f}, over {row['over']:3}"
+        print(f"{action:24} {row['frames']:4} frames  {longest}  {parts}")
 
 
 if __name__ == "__main__":
