@@ -5,25 +5,30 @@ level.solver = ArrivalLender()
 
 from __future__ import annotations
 
+import time
 from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from scipy import ndimage
 
 from ..level import BadInput
 from ..level.arrival import Asked
 from ..level.arrival_map import BREAKS, HEIGHTS, TIMES, ArrivalMap
+from ..level.request import Parts, Request
 
 ARRIVALS = "arrivals"  # the name of arrival maps among what is asked for
+BUSY_S = 0.01  # of processor time, from which on works in parts wait for the next frame
+PATIENCE = 2  # frames that one waits in a row
+GIVEN_UP = 60  # and after which nobody seems to ask for it any more
 
 
 class ArrivalLender:
     """Answers with the map of just these waters, else with the last good one until that has come.
 
     Under the brush times alone are asked for; heights and how waves break go on as they were. What a release asks for
-    (`beside`: the shore map, the current) goes through the same process; of one name the latest request wins.
+    (`beside`: the shore map, the current) goes through the same process; of one name the latest request wins. What is
+    too short for that and too long for a frame is done in parts, some a frame (`in_parts`: the shore field).
     """
 
     def __init__(self) -> None:
@@ -35,6 +40,9 @@ class ArrivalLender:
         self._came: dict[str, tuple] = {}  # by name: (key, answer)
         self._held: tuple = ()  # key of what `made` answers
         self._tall: ArrivalMap | None = None  # the last map that had heights
+        self._others: np.ndarray | None = None  # its heights and breaks, at as many samples as were last wanted
+        self._began_s = time.thread_time()  # the frame
+        self._behind: dict[str, int] = {}  # works in parts that are not done: for how many frames each has waited
         self.made: ArrivalMap | None = None
         self.failure = ""  # why there is no newer one
 
@@ -53,16 +61,39 @@ class ArrivalLender:
             self.made = replace(self.made, settled=settled)
         return self.made
 
-    def beside(self, name: str, key: tuple, request: Callable[[], Any]) -> Any:
+    def beside(self, name: str, key: tuple, request: Callable[[], Request]) -> Any:
         """The answer of that name and key once it has come, else None."""
         if self._asked.get(name) != key:
+            if self._waits(name):
+                return None
+            del self._behind[name]
             self._ask(name, key, request())
         came = self._came.get(name)
         return came[1] if came is not None and came[0] == key else None
 
-    def _ask(self, name: str, key: tuple, request: Any) -> None:
+    def in_parts(self, name: str, parts: Parts) -> bool:
+        """Go on with a work as far as this frame has time for it; True when it is done."""
+        while not self._waits(name):
+            self._behind[name] = 0
+            if next(parts, self) is self:
+                del self._behind[name]
+                return True
+        return False
+
+    @property
+    def behind(self) -> bool:
+        """Whether works are left for coming frames."""
+        return bool(self._behind)
+
+    def _waits(self, name: str) -> bool:
+        """Whether this frame has done so much that a work had better be left for the next."""
+        waited = self._behind.setdefault(name, 0)
+        return waited < PATIENCE and time.thread_time() - self._began_s > BUSY_S
+
+    def _ask(self, name: str, key: tuple, request: Request) -> None:
         self._asked[name] = key
-        self._due[name] = key, request.kept()
+        waits = self._worker.busy or self._due
+        self._due[name] = key, request.kept() if waits else request
         self._next()
 
     def _next(self) -> None:
@@ -74,14 +105,16 @@ class ArrivalLender:
     @property
     def busy(self) -> bool:
         """Whether something newer is on its way."""
-        return self._worker.busy or bool(self._due)
+        return self._worker.busy or bool(self._due or self._behind)
 
     def look(self) -> bool:
-        """Take in what has come, once a frame; True when that is something new."""
+        """Take in what has come, once a frame; True when that is something new, or something goes on in parts."""
+        self._began_s = time.thread_time()
+        self._behind = {name: waited + 1 for name, waited in self._behind.items() if waited < GIVEN_UP}
         found = self._worker.poll()
         self._next()
         if found is None:
-            return False
+            return bool(self._behind)
         (name, key), made = found
         if isinstance(made, BadInput):
             self.failure, self._asked[name] = str(made), key
@@ -95,18 +128,20 @@ class ArrivalLender:
 
     def _take(self, key: tuple, made: ArrivalMap) -> None:
         if made.block(HEIGHTS).any():
-            self._tall = made
+            self._tall, self._others = made, None
         elif self._tall is not None:
-            others = [_resized(self._tall.block(which), made.shape) for which in (HEIGHTS, BREAKS)]
-            made = replace(made, packed=np.concatenate([made.block(TIMES), *others]).astype(np.float32))
+            if self._others is None or self._others.shape[0] != 2 * made.shape[0]:
+                others = [resized(self._tall.block(which), made.shape) for which in (HEIGHTS, BREAKS)]
+                self._others = np.concatenate(others)
+            made = replace(made, packed=np.concatenate([made.block(TIMES), self._others]))
         self._held, self.made = key, made
 
     def forget(self) -> None:
         """Another level: nothing known so far counts."""
         self._worker.forget()
-        for known in (self._due, self._asked, self._came):
+        for known in (self._due, self._asked, self._came, self._behind):
             known.clear()
-        self._held, self._tall, self.made, self.failure = (), None, None, ""
+        self._held, self._tall, self._others, self.made, self.failure = (), None, None, None, ""
 
     def close(self) -> None:
         """End the process."""
@@ -114,11 +149,13 @@ class ArrivalLender:
         self._worker.close()
 
 
-def _resized(values: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
-    """A map `(rows, cols, channels)` at as many samples as another has, over the same ground."""
-    if values.shape[:2] == shape:
-        return values
-    row, col = (np.linspace(0, had - 1, has) for had, has in zip(values.shape[:2], shape, strict=True))
-    at = np.meshgrid(row, col, indexing="ij")
-    channels = [ndimage.map_coordinates(values[..., i], at, order=1) for i in range(values.shape[2])]
-    return np.stack(channels, axis=-1)
+def resized(values: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """A map `(rows, cols, channels)` at as many samples as another has, over the same ground: bilinear, float32."""
+    for axis, (had, has) in enumerate(zip(values.shape[:2], shape, strict=True)):
+        if had != has:
+            at = np.linspace(0, had - 1, has)
+            first = np.minimum(at.astype(int), had - 2)
+            part = (at - first).astype(np.float32).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
+            low = values.take(first, axis)
+            values = low + (values.take(first + 1, axis) - low) * part
+    return values.astype(np.float32, copy=False)

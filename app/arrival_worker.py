@@ -14,19 +14,14 @@ import weakref
 from dataclasses import dataclass, field
 from multiprocessing import connection, get_context
 from types import ModuleType
+from typing import Any
 
-from ..level.arrival import Asked
-from ..level.arrival_map import ArrivalMap
 from ..level.errors import BadInput
-from ..level.flow import Current, CurrentRequest
-from ..level.shaping import Shaped
-from ..level.shaping_request import ShapeRequest
-from ..level.shore import Bed, BedRequest
+from ..level.request import Request
 from ..level.swell_request import SwellRequest, SwellResult
-from .shared_maps import Block, Maps, bytes_of, placed, restored
+from .shared_maps import Block, Maps, Reading, bytes_of, bytes_placed, placed, restored
 
-Request = SwellRequest | Asked | ShapeRequest | BedRequest | CurrentRequest
-Answer = tuple[SwellResult, ...] | ArrivalMap | Shaped | Bed | Current | BadInput | None
+AT_ONCE_BYTES = 1 << 20  # a larger answer is copied by a thread
 STOPPED = "The process that works beside the window stopped (exit code {code}); it starts anew with the next change."
 
 
@@ -43,6 +38,7 @@ class _Held:
     pipe: connection.Connection | None = None
     into: Block = field(default_factory=Block)
     out: Block = field(default_factory=Block)
+    reading: Reading | None = None  # of `out`
 
     def start(self) -> None:
         """Starts the process unless it lives."""
@@ -79,6 +75,8 @@ class _Held:
     def release(self) -> None:
         """Everything."""
         self.stop()
+        if self.reading:
+            _, self.reading = self.reading.answer, None
         self.into.release()
         self.out.release()
 
@@ -100,7 +98,7 @@ class ArrivalWorker:
 
     def ask(self, key, request: Request) -> None:
         """Asks; what waited is dropped. `key` (a revision, say) comes back with the answer."""
-        self._waiting = key, request.kept()
+        self._waiting = key, request.kept() if self._running else request  # which is then written down at once
         self._next()
 
     def warm(self) -> None:
@@ -113,21 +111,32 @@ class ArrivalWorker:
         if self._running:
             self._running[1] = False
 
-    def poll(self) -> tuple[object, Answer] | None:
+    def poll(self) -> tuple[object, Any] | None:
         """The next answer with its key, at once; None where there is none. What can't be solved is a `BadInput`."""
         if self._failed:
             return self._failed.pop(0)
-        answer = None
-        if self._running and self._held.pipe.poll():
-            (key, wanted), self._running = self._running, None
-            try:
-                found = self._held.pipe.recv()
-            except (EOFError, OSError):
-                found = self._stopped()
-            if wanted:
-                answer = key, found if isinstance(found, BadInput) else self._held.out.read(found)
+        answer = self._received() if self._running else None
         self._next()
         return answer
+
+    def _received(self) -> tuple[object, Any] | None:
+        held, (key, wanted) = self._held, self._running
+        if held.reading is None and held.pipe.poll():
+            try:
+                found = held.pipe.recv()
+            except (EOFError, OSError):
+                found = self._stopped()
+            if wanted and not isinstance(found, BadInput):
+                if bytes_placed(found) > AT_ONCE_BYTES:
+                    held.reading = Reading(held.out, found)
+                    return None
+                found = held.out.read(found)
+        elif held.reading is not None and held.reading.done:
+            found, held.reading = held.reading.answer, None
+        else:
+            return None
+        self._running = None
+        return (key, found) if wanted else None
 
     def close(self) -> None:
         """Ends the process and gives all shared memory back; may be called again."""

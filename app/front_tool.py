@@ -37,8 +37,8 @@ class FrontTool:
         radius_m = session.front.radius_m
         self.editor.shapings.warm()
         seen, self._seen = self._seen, (id(session.level), session.level.revision)
-        if seen != self._seen:
-            return  # a frame in which the level changed has enough to do
+        if seen != self._seen or self.editor.arrivals.behind:
+            return  # a frame in which the level changed has enough to do, and those after it
         near = tuple(int(v // max(0.03 * radius_m, 0.2)) for v in point[:2])
         key = near, radius_m, round(session.clock.time_s, 2), session.level.revision
         if key != self._key:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, fields, is_dataclass, replace
 from multiprocessing.shared_memory import SharedMemory
+from threading import Thread
 
 import numpy as np
 
@@ -28,6 +30,18 @@ def bytes_of(thing) -> int:
         total += array.nbytes + ALIGN
 
     _mapped(thing, np.ndarray, count)
+    return total
+
+
+def bytes_placed(thing) -> int:
+    """Bytes of what its `Place`s hold."""
+    total = 0
+
+    def count(place):
+        nonlocal total
+        total += math.prod(place.shape) * np.dtype(place.dtype).itemsize
+
+    _mapped(thing, Place, count)
     return total
 
 
@@ -94,6 +108,28 @@ class Block:
             self._memory.close()
             self._memory.unlink()
             self._memory = None
+
+
+class Reading:
+    """An answer being copied out of a block by a thread: NumPy gives up Python's lock while it copies, so the thread
+    that draws goes on. `answer` waits."""
+
+    def __init__(self, block: Block, thing) -> None:
+        self._answer = None
+        self._thread = Thread(target=self._read, args=(block, thing), name="shorewright-reading")
+        self._thread.start()
+
+    def _read(self, block: Block, thing) -> None:
+        self._answer = block.read(thing)
+
+    @property
+    def done(self) -> bool:
+        return not self._thread.is_alive()
+
+    @property
+    def answer(self):
+        self._thread.join()
+        return self._answer
 
 
 class Maps:

@@ -10,9 +10,8 @@ None.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any, Protocol
+from typing import Protocol
 
 import numpy as np
 from scipy import ndimage
@@ -20,8 +19,10 @@ from scipy import ndimage
 from .arrival_map import BLOCKS, SWELLS, ArrivalMap
 from .breaking_map import breaking_block
 from .dispersion import group_speed, wavenumber
-from .gerstner import GRAVITY, Fronts
+from .earth import GRAVITY
+from .gerstner import Fronts
 from .level import Level
+from .request import Beside, Request
 from .sea_keys import fronts_at
 from .settings import Shore
 from .shore import shore_map
@@ -35,7 +36,7 @@ KEPT = 4  # maps that a level keeps: of the weathers that follow each other
 
 
 @dataclass(frozen=True)
-class Asked:
+class Asked(Request[ArrivalMap]):
     """All that a map follows from; two of one `key` are the same.
 
     Under the brush no heights are asked for: those of the last whole map go on.
@@ -46,29 +47,23 @@ class Asked:
     lead_height_m: float  # of the shore waves where they stand highest
 
     def kept(self) -> Asked:
-        """With arrays of its own, which no later edit of the level reaches."""
         return replace(self, request=self.request.kept())
 
     @property
     def answer_bytes(self) -> int:
-        """Bytes of the arrays of its answer."""
         return BLOCKS * 4 * 4 * self.request.depth_m.size + (1 << 12)
 
     def answered(self) -> ArrivalMap:
-        """The map, worked out now."""
         return arrival_map(self, solve_request(self.request))
 
 
-class Solver(Protocol):
+class Solver(Beside, Protocol):
     """What an editor lends to a level, so that no window waits for a map."""
 
     def answer(self, asked: Asked) -> ArrivalMap | None: ...
 
     def latest(self) -> ArrivalMap | None:
         """The last good map while nobody can say yet of which waters the next one is."""
-
-    def beside(self, name: str, key: tuple, request: Callable[[], Any]) -> Any:
-        """The answer of that name and key, worked out by another process; None till it has come."""
 
 
 def swell(level: Level, time_s: float) -> Fronts:
@@ -125,7 +120,7 @@ def arrival(level: Level, time_s: float) -> ArrivalMap | None:
         return None
     if level.solver is not None and not level.live and not shore_map(level).whole:
         return level.solver.latest()
-    asked = asked_of(level, time_s)
+    asked = _asked_once(level, time_s)
     if level.solver is not None:
         return level.solver.answer(asked)
     kept: dict = level.derived.setdefault("arrivals", {})
@@ -134,6 +129,19 @@ def arrival(level: Level, time_s: float) -> ArrivalMap | None:
         for key in list(kept)[:-KEPT]:
             del kept[key]
     return kept[asked.key]
+
+
+def _asked_once(level: Level, time_s: float) -> Asked:
+    """`asked_of`, remembered: all who ask for one frame ask the same."""
+    bed, settings = shore_map(level), level.settings
+    key = time_s, level.live, bed.revision, bed.whole, level.objects_revision
+    kept: dict = level.derived.setdefault("asked", {})
+    known = kept.get(key)
+    if known is None or any(had is not has for had, has in zip(known, (bed, settings, level.undated))):
+        known = kept[key] = bed, settings, level.undated, asked_of(level, time_s)
+        for gone in list(kept)[:-KEPT]:
+            del kept[gone]
+    return known[3]
 
 
 def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -16,8 +17,10 @@ from scipy import ndimage
 from .dual import Dual
 from .grid import Rect
 from .level import Level
-from .shore_field import BEACH_M, ShoreField, decode_beach_m, direction, shore_field
+from .request import Parts, finished
+from .shore_field import BAND, BEACH_M, ShoreField, decode_beach_m, direction, shore_field
 
+BANDS = 2  # of the field, worked out at once
 BENEATH_M = 1 / 256  # under the sand, so that half floats never lift the sheet above it
 NO_BEACH_M = -64.0  # where the slice ends there is no clamp
 SMOOTH_M = 3.0  # sigma; where two shores are as near as each other the sway would jump
@@ -36,6 +39,7 @@ class BeachMap:
     key: tuple
     revision: int = 0
     log: deque = field(default_factory=lambda: deque(maxlen=64))
+    work: Parts | None = None  # the change that is being worked out
 
     def changed_since(self, revision: int) -> list[Rect]:
         """Rectangles of `packed` that changed after that revision of the map."""
@@ -61,25 +65,47 @@ class BeachMap:
 
 
 def beach_map(level: Level) -> BeachMap:
-    """The level's map, up to date with its shore field."""
+    """The level's map, up to date with its shore field; where an editor lends its frames it follows in some of them."""
     source, key = shore_field(level), (level.settings.shore.sway_m,)
     have: BeachMap | None = level.derived.get("beach_map")
     every = Rect(0, 0, *source.packed.shape[:2])
     if have is None or have.source is not source or have.key != key:
         packed = np.empty((*every.shape, 2), np.float16)
         have = level.derived["beach_map"] = BeachMap(packed, source.cell_m, source, key)
-        changed = [every]
-    elif have.revision == source.revision:
+        finished(_update(level, have, [every]))
         return have
-    else:
-        changed = source.changed_since(have.revision)
-    for rect in changed:
-        wide = rect.pad(_reach(have)).intersect(every)
-        have.packed[(*rect.slices, 0)] = _sand(level, source, rect)
-        have.packed[(*wide.slices, 1)] = _sway(source, wide, key[0])
-        have.log.append((source.revision, wide))
-    have.revision = source.revision
+    while have.work is not None or have.revision != source.revision:
+        have.work = have.work or _update(level, have)
+        if level.solver is None:
+            finished(have.work)
+        elif not level.solver.in_parts("beach_map", have.work):
+            break
+        have.work = None
     return have
+
+
+def _update(level: Level, have: BeachMap, changed: list[Rect] | None = None) -> Iterator[None]:
+    """Work out what changed of the field; what changes meanwhile is in the next update."""
+    source, at = have.source, have.source.revision
+    every = Rect(0, 0, *source.packed.shape[:2])
+    for rect in changed or source.changed_since(have.revision):
+        wide = rect.pad(_reach(have)).intersect(every)
+        for band in _bands(wide):
+            sand = band.intersect(rect)
+            if not sand.empty:
+                have.packed[(*sand.slices, 0)] = _sand(level, source, sand)
+            have.packed[(*band.slices, 1)] = _sway(source, band, have.key[0])
+            yield
+        have.log.append((at, wide))
+    have.revision = at
+
+
+def _bands(rect: Rect) -> list[Rect]:
+    """A rectangle cut into rows of bands, so that no part of a work takes long."""
+    return [
+        rect.intersect(Rect(row, rect.col0, row + BANDS * BAND, rect.col1))
+        for row in range(rect.row0, rect.row1, BANDS * BAND)
+    ]
 
 
 def _reach(have: BeachMap) -> int:

@@ -16,6 +16,7 @@ import numpy as np
 
 from .arrival_map import Breaks
 from .dual import Dual, step
+from .earth import GRAVITY
 from .noise import value_noise
 from .settings import Shore
 
@@ -29,7 +30,6 @@ FLAT = (0.004, 0.015)  # slopes below which the bed has no way of its own
 ASHORE_S = (0.9, 1.0)  # nothing is carried ahead where the water is thin
 RAGGED_M = (13.0, 3.1)  # lengths along the crest over which it breaks sooner and later
 STEEPENS = -2.5  # progress from which on the landward face steepens
-GRAVITY = 9.81
 
 Gradient = tuple[Dual, Dual]  # east and north
 

@@ -7,7 +7,8 @@ from __future__ import annotations
 
 import numpy as np
 
-GRAVITY = 9.81  # m/s²
+from .earth import GRAVITY
+
 NEWTON_STEPS = 3  # relative error of the start by Eckart 5e-2, then 5e-4, 7e-8, below rounding
 
 

@@ -1,8 +1,10 @@
-"""Where a level lies on Earth: degrees and metres, and what a new origin does to a georeference."""
+"""Where a level lies on Earth: its gravity, degrees and metres, what a new origin does to a georeference."""
 
 from __future__ import annotations
 
 import math
+
+GRAVITY = 9.81  # m/s²
 
 
 def degrees_to_metres(step_deg: tuple[float, float], latitude: float) -> tuple[float, float]:

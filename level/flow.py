@@ -16,6 +16,7 @@ from scipy import ndimage
 
 from .level import Level
 from .objects import FlowPoint
+from .request import Request
 from .settings import Flow
 from .shore_field import ShoreField, decode_direction, shore_field
 
@@ -64,6 +65,8 @@ def current(level: Level) -> Current:
     if have is not None and level.live:
         return have
     field = shore_field(level)
+    if have is not None and field.behind:
+        return have
     points = tuple(sorted((o for o in level.objects.values() if isinstance(o, FlowPoint)), key=lambda o: o.id))
     flow, quiet = (level.layer_revision(name) for name in ("flow", "quiet"))
     settings = level.settings
@@ -81,12 +84,11 @@ def current(level: Level) -> Current:
 
 
 @dataclass(frozen=True)
-class CurrentRequest:
-    """All that a current follows from, as a process can carry it: the shore field, paint, points, settings."""
+class CurrentRequest(Request[Current]):
+    """All that a current follows from: the shore field at its samples, paint, points, settings."""
 
     distance_m: np.ndarray
     way: np.ndarray  # uint8 `(rows, cols, 2)`, as packed
-    field_cell_m: float
     range_m: float
     quiet: np.ndarray
     painted: np.ndarray
@@ -96,20 +98,17 @@ class CurrentRequest:
     held: float  # by quiet
 
     def kept(self) -> CurrentRequest:
-        """With arrays of its own, which no later edit of the level reaches."""
         arrays = {name: np.array(getattr(self, name)) for name in ("distance_m", "way", "quiet", "painted")}
         return replace(self, **arrays)
 
     @property
     def answer_bytes(self) -> int:
-        """Bytes of the arrays of its answer."""
         return 6 * 4 * self.quiet.size + (1 << 12)
 
     def answered(self) -> Current:
-        """The current, worked out now; its key is left to whoever asks."""
         rows, cols = self.quiet.shape
         y, x = np.mgrid[0:rows, 0:cols] * self.cell_m
-        distance, to_shore = self._shore(x, y)
+        distance, to_shore = self._shore()
         packed = np.zeros((rows, cols, 4), np.float32)
         packed[..., 2], packed[..., 3] = self.quiet, distance
         to_points = None
@@ -126,14 +125,12 @@ class CurrentRequest:
             packed[..., :2] = flow * free
         return Current(packed, self.cell_m, (), to_points)
 
-    def _shore(self, x, y) -> tuple[np.ndarray, np.ndarray]:
+    def _shore(self) -> tuple[np.ndarray, np.ndarray]:
         """Metres to the shoreline (+ sea) `(rows, cols)`, the smoothed way there `(rows, cols, 2)`: zero on land."""
-        rows, cols = self.distance_m.shape
-        row, col = (np.clip(np.rint(v / self.field_cell_m).astype(int), 0, n - 1) for v, n in ((y, rows), (x, cols)))
-        distance = self.distance_m[row, col]
+        distance = self.distance_m
         # towards the end of what the field knows the current dies out, or its rim would show
         known = np.clip((self.range_m - distance) / (FADE * self.range_m), 0, 1) * (distance > 0)
-        way = decode_direction(self.way[row, col]) * known[..., None]
+        way = decode_direction(self.way) * known[..., None]
         sigma = SMOOTH_M / self.cell_m
         way = np.stack([ndimage.gaussian_filter(way[..., i], sigma, mode="nearest") for i in (0, 1)], -1)
         share = ndimage.gaussian_filter((distance > 0).astype(np.float64), sigma, mode="nearest")
@@ -144,9 +141,14 @@ def _request(level: Level, field: ShoreField, points: tuple) -> CurrentRequest:
     settings, grid = level.settings, level.grid
     stride = max(1, math.ceil((max(grid.shape) - 1) / (MOST_SIDE - 1)))
     quiet, painted = (level.layers[name].read(grid.rect)[::stride, ::stride] for name in ("quiet", "flow"))
+    cell_m = stride * grid.cell_m
+    at = np.ix_(*(  # the field's nearest texels
+        np.clip(np.rint(np.arange(n) * cell_m / field.cell_m).astype(int), 0, most - 1)
+        for n, most in zip(quiet.shape, field.distance_m.shape)
+    ))  # fmt: skip
     return CurrentRequest(
-        field.distance_m, field.packed[..., 1:3], field.cell_m, field.range_m, quiet, painted, stride * grid.cell_m,
-        points, settings.flow, settings.quiet.flow,
+        field.distance_m[at], field.packed[at][..., 1:3], field.range_m, quiet, painted, cell_m, points, settings.flow,
+        settings.quiet.flow,
     )  # fmt: skip
 
 

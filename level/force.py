@@ -17,6 +17,7 @@ import numpy as np
 from scipy.ndimage import map_coordinates
 
 from .dual import Dual
+from .earth import GRAVITY
 from .grid import Rect
 from .level import Level
 from .objects import Disturbance, Mover
@@ -25,7 +26,6 @@ from .settings import Force
 SIDE = 128
 STEP_S = 1 / 15
 MEMORY = 6.0  # decay times after which nothing is left to see
-GRAVITY = 9.81
 LONGEST_GAP_S = 0.5  # a clock that moved on by no more goes on from the state there is
 MOST_PUSH_MPS, BORDER = 8.0, 12  # cells over which the field dies out at its rim
 

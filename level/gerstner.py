@@ -12,9 +12,9 @@ import numpy as np
 
 from .arrival_map import Passing
 from .dual import Dual
+from .earth import GRAVITY
 from .settings import Sea
 
-GRAVITY = 9.81
 SHARES = {3: (0.5, 0.28, 0.22), 5: (0.26, 0.22, 0.2, 0.17, 0.15)}  # of the group's amplitude, the first front leads
 AXIS_CLEARANCE_DEG = 6.0
 # H07: how far noise bends the crests, by front differently far and to either side

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 from scipy import ndimage
 
+from .earth import GRAVITY
 from .level import Level
 from .shore import shore_map
-from .surf import GRAVITY
 from .timing import TimingMap, timing_map
 from .weather_keys import level_at
 

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-GRAVITY = 9.81
+from .earth import GRAVITY
+
 CAP_LIFE_S = 7.0  # of a whitecap
 # baked ripples: tile in metres, turn from the wind in degrees, share of the slope's variance
 RIPPLES = ((17.0, -24.0, 0.40), (6.1, 31.0, 0.33), (2.3, -7.0, 0.27))

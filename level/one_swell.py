@@ -7,8 +7,8 @@ from dataclasses import replace
 
 from .arrival import Asked
 from .arrival_map import ArrivalMap
+from .earth import GRAVITY
 from .errors import BadInput
-from .gerstner import GRAVITY
 from .level import Level
 from .objects import WeatherKey
 from .params import replace as changed

@@ -205,7 +205,7 @@ def patch_kinds(level: Level) -> PatchKinds:
     """
     from .waves import largest_height_m
 
-    sea, shore, field = level.settings.sea, shore_map(level), shore_field(level)
+    sea, shore, field = level.settings.sea, shore_map(level), shore_field(level, now=True)
     cols, rows = (int(np.ceil(side / PATCH_M)) for side in level.grid.extent_m)
     asked = overrides(level)
     ring = min(max((max(-col, -row, col - cols + 1, row - rows + 1) for col, row in asked), default=1), MOST_RING)

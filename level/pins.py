@@ -12,8 +12,8 @@ import numpy as np
 
 from .arrival import shore_at
 from .dual import Dual
+from .earth import GRAVITY
 from .errors import BadInput
-from .gerstner import GRAVITY
 from .level import Level
 from .objects import Pin
 

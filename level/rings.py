@@ -15,11 +15,11 @@ import numpy as np
 
 from .buoyancy import draft_of
 from .drift import drifted
+from .earth import GRAVITY
 from .level import Level
 from .objects import Hit, Prop
 
 MOST = 16  # the nearest ones
-GRAVITY = 9.81
 HIT_LENGTH_M, FLOAT_LENGTH_M = 0.55, 0.8  # of the wave in the middle, for size 1
 HIT_SLOPE, FLOAT_SLOPE = 1.2, 0.3
 SPENT = 5.0  # decay times after which a ring is gone

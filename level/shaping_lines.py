@@ -5,6 +5,8 @@ A crest is where `phase_at` is a whole number, the number of its wave; it grows 
 
 from __future__ import annotations
 
+from functools import reduce
+
 import numpy as np
 from scipy import ndimage
 
@@ -20,6 +22,7 @@ from .shore_waves import Travel, lead_arrival, s_cycles, shore_early
 from .weather_keys import level_at
 
 SIDE = 121  # samples a side in which crests are looked for
+COARSE = 4  # every so many samples a side are read first: only where a crest passes, all
 
 
 def phase_at(level: Level, t: float, x, y, pinned: bool = True) -> tuple[Dual, np.ndarray]:
@@ -47,21 +50,58 @@ def phase_at(level: Level, t: float, x, y, pinned: bool = True) -> tuple[Dual, n
 def crest_near(level: Level, t: float, at: tuple[float, float], radius_m: float) -> tuple[int, np.ndarray] | None:
     """(wave, line (n, 2) of world points) of the crest nearest to a place, as it runs within `radius_m`; or None."""
     x, y = (np.linspace(-radius_m, radius_m, SIDE) + centre for centre in at)
-    phase, here = phase_at(level, t, *np.meshgrid(x, y))
-    east, north = level.grid.extent_m
-    here &= ((x >= 0) & (x <= east))[None] & ((y >= 0) & (y <= north))[:, None]
+    values = np.full((SIDE, SIDE), np.nan)
     far = np.hypot(x[None] - at[0], y[:, None] - at[1])
-    values = np.where(here & (far <= radius_m), phase.v, np.nan)
+    east, north = level.grid.extent_m
+    inside = (far <= radius_m) & ((x >= 0) & (x <= east))[None] & ((y >= 0) & (y <= north))[:, None]
+
+    def read(where: np.ndarray) -> None:
+        row, col = np.nonzero(where & inside)
+        phase, here = phase_at(level, t, x[col], y[row])
+        values[row, col] = np.where(here, phase.v, np.nan)
+
+    coarse = np.zeros(values.shape, bool)
+    coarse[::COARSE, ::COARSE] = True
+    read(coarse)
     if not np.isfinite(values).any():
         return None
     middle = np.unravel_index(np.nanargmin(np.where(np.isfinite(values), far, np.nan)), far.shape)
+    waves = {int(np.floor(values[middle])), int(np.ceil(values[middle]))}
+    read(_passed(values[::COARSE, ::COARSE], waves) & ~coarse)
     best = None
-    for wave in {int(np.floor(values[middle])), int(np.ceil(values[middle]))}:
+    for wave in waves:
         for line in contours(values, x, y, wave):
             away = float(np.hypot(*(line - at).T).min())
             if best is None or away < best[0]:
                 best = away, wave, line
     return None if best is None or len(best[2]) < 2 else best[1:]
+
+
+def _passed(values: np.ndarray, waves: set[int]) -> np.ndarray:
+    """Samples (SIDE, SIDE) of coarse cells in which one of the crests may run, and of those round them.
+
+    A cell at the edge of where there are waves counts as one.
+    """
+    known = np.isfinite(values)
+    low, high = (
+        reduce(least, (part[:-1, :-1], part[:-1, 1:], part[1:, :-1], part[1:, 1:]))
+        for part, least in (
+            (np.where(known, values, np.inf), np.minimum),
+            (np.where(known, values, -np.inf), np.maximum),
+        )
+    )
+    count = known.astype(np.int8)
+    count = count[:-1] + count[1:]
+    count = count[:, :-1] + count[:, 1:]
+    crossed = (count > 0) & (count < 4)
+    for wave in waves:
+        crossed |= (low <= wave) & (high >= wave)
+    cells = ndimage.binary_dilation(crossed, np.ones((3, 3), bool))
+    fine = np.zeros((SIDE, SIDE), bool)
+    fine[:-1, :-1] = np.kron(cells, np.ones((COARSE, COARSE), bool))
+    fine[1:] |= fine[:-1]
+    fine[:, 1:] |= fine[:, :-1]
+    return fine
 
 
 def contours(values: np.ndarray, x: np.ndarray, y: np.ndarray, level: float) -> list[np.ndarray]:

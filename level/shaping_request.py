@@ -13,6 +13,7 @@ from .errors import BadInput
 from .grid import Grid
 from .level import Level
 from .objects import Prop
+from .request import Request
 from .settings import Settings
 from .shaping import Shaped, Shaping
 
@@ -21,7 +22,7 @@ RIM = 16  # cells that a change may reach past the radius
 
 
 @dataclass(frozen=True)
-class ShapeRequest:
+class ShapeRequest(Request[Shaped | None]):
     """A line at a moment; `quick` as under the hand. `height` may be None when the last request had the same `drag`."""
 
     drag: int
@@ -43,7 +44,6 @@ class ShapeRequest:
 
     @property
     def answer_bytes(self) -> int:
-        """Bytes of the arrays of its answer, at most."""
         side = int(2 * self.radius_m / self.grid.cell_m) + 2 * RIM
         return 4 * min(side, self.grid.rows + RIM) * min(side, self.grid.cols + RIM) + LINE_BYTES
 

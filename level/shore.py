@@ -20,6 +20,7 @@ from .dual import Dual, step
 from .grid import Rect
 from .level import Level, merge
 from .objects import SeaSeed
+from .request import Request
 from .settings import Settings
 from .tide import band_m
 
@@ -86,7 +87,7 @@ class ShoreMap:
 
 
 @dataclass(frozen=True)
-class BedRequest:
+class BedRequest(Request["Bed"]):
     """All that the map follows from, as a process can carry it."""
 
     depth_m: np.ndarray
@@ -95,16 +96,13 @@ class BedRequest:
     settings: Settings
 
     def kept(self) -> BedRequest:
-        """With arrays of its own, which no later edit of the level reaches."""
         return replace(self, depth_m=np.array(self.depth_m, np.float32))
 
     @property
     def answer_bytes(self) -> int:
-        """Bytes of the arrays of its answer."""
         return 5 * 4 * self.depth_m.size + (1 << 12)
 
     def answered(self) -> Bed:
-        """The whole map, worked out now."""
         depth = self.depth_m
         start = (depth > 0) & open_edge(depth.shape, self.seeds, self.cell_m)
         least = _from_the_deep(depth, start, self.settings.shore.range_m)
@@ -146,7 +144,7 @@ def shore_map(level: Level, now: bool = False) -> ShoreMap:
     made = ShoreMap(bed.packed, bed.bottleneck, level.grid.cell_m * stride, stride, at, key)
     made.tidal = level.settings.tide.on
     if have is not None and have.key == key:
-        made.log = have.log
+        made.log = have.log.copy()  # that of the map before ends with it
     made.log.append((at, Rect(0, 0, *made.packed.shape[:2])))
     level.derived["shore_map"] = made
     return made

@@ -9,10 +9,13 @@ on nothing farther away than that, and a window has the very bits of the whole.
 
 from __future__ import annotations
 
+from collections.abc import Generator, Iterator
+
 import numpy as np
 from scipy import ndimage
 
 from .grid import Rect
+from .request import finished
 
 NEAR = 4  # cells round a segment that measure their distance to it
 TILE_CELLS = 64, 256  # what is worked on at once: fits the processor's second cache
@@ -33,13 +36,24 @@ def signed_distance(depth: np.ndarray, sea: np.ndarray, reach: int, inner: Rect)
 
     `depth` is positive where `sea` is True, and not where a neighbour of such a cell is False.
     """
+    return finished(distance_in_parts(depth, sea, reach, inner))
+
+
+def distance_in_parts(
+    depth: np.ndarray, sea: np.ndarray, reach: int, inner: Rect
+) -> Generator[None, None, np.ndarray]:  # fmt: skip
+    """`signed_distance` as a work that pauses; the arrays must stay as they are till it is done."""
     near = inner.pad(NEAR + 1).intersect(Rect(0, 0, *sea.shape))
     squared = _to_segments(depth[near.slices], sea[near.slices])
     squared = np.ascontiguousarray(squared[inner.shifted(near).slices])
+    yield
     rows, cols = inner.slices
-    _spread(squared, _along_columns(depth, sea, reach)[rows], reach, cols.start, axis=1)
+    along = _along_columns(depth, sea, reach)[rows]
+    yield
+    yield from _spread(squared, along, reach, cols.start, axis=1)
     across = _along_columns(np.ascontiguousarray(depth.T), np.ascontiguousarray(sea.T), reach)
-    _spread(squared, np.ascontiguousarray(across[cols].T), reach, rows.start, axis=0)
+    yield
+    yield from _spread(squared, np.ascontiguousarray(across[cols].T), reach, rows.start, axis=0)
     distance = np.minimum(np.sqrt(squared, out=squared), np.float32(reach), out=squared)
     return np.where(sea[inner.slices], distance, -distance)
 
@@ -71,7 +85,7 @@ def _crossing(first: np.ndarray, second: np.ndarray) -> np.ndarray:
     return first / (first - second)
 
 
-def _spread(squared: np.ndarray, along: np.ndarray, reach: int, first: int, axis: int) -> None:
+def _spread(squared: np.ndarray, along: np.ndarray, reach: int, first: int, axis: int) -> Iterator[None]:
     """Take in the least of `along` plus the square of the way along `axis`, in place, tile by tile.
 
     `along` is longer on that axis: cell 0 of `squared` is its cell `first`.
@@ -89,6 +103,7 @@ def _spread(squared: np.ndarray, along: np.ndarray, reach: int, first: int, axis
                 pad = [(0, 0), (0, 0)]
                 pad[axis] = max(-begin, 0), max(end - along.shape[axis], 0)
                 _least(squared[tuple(tile)], np.pad(source, pad, constant_values=np.inf), reach, axis)
+                yield
 
 
 def _least(squared: np.ndarray, source: np.ndarray, reach: int, axis: int) -> None:

@@ -4,12 +4,14 @@ Cached by revision, never saved. A distance counts up to `shore.distance_range_m
 no farther either: only the window round it is worked out again, and it has the very bits of the whole map. The float
 copy is clamped to that range too, so that this holds for it as well. What joins water to the sea may change far away:
 the sea mask is made anew whenever ground rises out of the water or sinks into it, and what differs is a change too.
+In a window a change is worked out over some frames (`behind` till then), a script waits for it.
 """
 
 from __future__ import annotations
 
 import math
 from collections import deque
+from collections.abc import Generator, Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -17,13 +19,15 @@ import numpy as np
 from .beach import bare_beach, beach_reach
 from .grid import Rect
 from .level import Level, merge
+from .request import Parts, finished
 from .shore import open_edge, sea_seeds
-from .shore_distance import NEAR, joined_water, signed_distance
+from .shore_distance import NEAR, distance_in_parts, joined_water
 
 CELL_M = 0.5  # 4 texels a m² (H10)
 MOST_SIDE = 2049  # texels a side
 BEACH_M = 2.0  # the slice is this much above and below the still sea
 BAND = 32  # rows packed at once
+MOST_WINDOW = 160  # mask cells a side of what is measured at once
 STEEP_ENOUGH = 1e-3  # a distance that changes less along the ground, m/m, has no direction
 
 
@@ -47,6 +51,12 @@ class ShoreField:
     revision: int = 0
     key: tuple = ()
     log: deque = field(default_factory=lambda: deque(maxlen=64))
+    work: Parts | None = None  # the change that is being worked out
+
+    @property
+    def behind(self) -> bool:
+        """Whether something changed that isn't whole in here yet."""
+        return self.work is not None
 
     def changed_since(self, revision: int) -> list[Rect]:
         """Rectangles of `packed` that changed after that revision of the map."""
@@ -97,15 +107,23 @@ def direction(distance_m: np.ndarray, cell_m: float) -> np.ndarray:
     return np.stack([east * scale, north * scale])
 
 
-def shore_field(level: Level) -> ShoreField:
-    """The level's field, up to date with its height; changed in place by window while its settings stay."""
+def shore_field(level: Level, now: bool = False) -> ShoreField:
+    """The level's field, up to date with its height; changed in place by window while its settings stay.
+
+    Where an editor lends its frames it may be `behind`; `now`: nothing but the whole will do.
+    """
     seeds = sea_seeds(level)
     key = level.mean_sea_m, level.settings.shore.distance_range_m, seeds
     have: ShoreField | None = level.derived.get("shore_field")
     at = level.layer_revision("height")
     if have is not None and have.key == key:
-        if have.revision != at:
-            _update(level, have, seeds, at)
+        while have.behind or have.revision != at:
+            have.work = have.work or _update(level, have, seeds, at)
+            if level.solver is None or now:
+                finished(have.work)
+            elif not level.solver.in_parts("shore_field", have.work):
+                break
+            have.work = None
         return have
     level.derived["shore_field"] = made = _whole(level, seeds)
     made.revision, made.key = at, key
@@ -133,9 +151,9 @@ def _whole(level: Level, seeds: tuple) -> ShoreField:
         level.settings.shore.distance_range_m, stride, times, wet, sea,
     )  # fmt: skip
     every = Rect(0, 0, *wet.shape)
-    _measure(level, made, every)
+    finished(_measure(level, made, every))
     _bare(level, made, every)
-    _pack(made, every)
+    finished(_pack(made, every))
     return made
 
 
@@ -145,29 +163,40 @@ def _depth(level: Level, stride: int, rect: Rect | None = None) -> np.ndarray:
     return level.mean_sea_m - level.height[::stride, ::stride][rows, cols].astype(np.float32)
 
 
-def _update(level: Level, have: ShoreField, seeds: tuple, at: int) -> None:
-    """Work out the windows that changes of height reach."""
+def _update(level: Level, have: ShoreField, seeds: tuple, at: int) -> Iterator[None]:
+    """Work out the windows that changes of height reach; what changes meanwhile is in the next update's."""
     every = Rect(0, 0, *have.wet.shape)
     rects = [_coarse(rect, have.stride).intersect(every) for rect in level.changed_since("height", have.revision)]
-    moved = _shore_moved(level, have, seeds, rects)
-    reach = _reach(have) + 1
-    parts = {
-        _measure: merge(rect.pad(reach).intersect(every) for rect in moved),
-        _bare: merge(rect.pad(beach_reach(have.cell_m * have.times)).intersect(every) for rect in rects),
-    }
-    for work, windows in parts.items():
-        for window in windows:
-            work(level, have, window)
-    for window in merge(w for windows in parts.values() for w in windows):
-        have.log.append((at, _pack(have, window.pad(1).intersect(every))))
+    moved = yield from _shore_moved(level, have, seeds, rects)
+    reach, bare_reach = _reach(have) + 1, beach_reach(have.cell_m * have.times)
+    shores = merge(rect.pad(reach).intersect(every) for rect in moved)
+    beaches = merge(rect.pad(bare_reach).intersect(every) for rect in rects)
+    for piece in [piece for window in beaches for piece in _pieces(window)]:
+        _bare(level, have, piece)
+        yield
+    for piece in [piece for window in shores for piece in _pieces(window)]:
+        yield from _measure(level, have, piece)
+    for window in merge((*shores, *beaches)):
+        wide = window.pad(1).intersect(every)
+        yield from _pack(have, wide)
+        have.log.append((at, _texels(wide, have.times)))
     have.revision = at
+
+
+def _pieces(window: Rect) -> list[Rect]:
+    """A window cut up, so that no part of a work takes long; pieces share a cell, for texels lie between two."""
+    side = MOST_WINDOW
+    rows, cols = (range(first, max(end - 1, first + 1), side) for first, end in zip(window[:2], window[2:]))
+    return [Rect(row, col, row + side + 1, col + side + 1).intersect(window) for row in rows for col in cols]
 
 
 def _coarse(rect: Rect, stride: int) -> Rect:
     return Rect(rect.row0 // stride, rect.col0 // stride, (rect.row1 - 1) // stride + 1, (rect.col1 - 1) // stride + 1)
 
 
-def _shore_moved(level: Level, have: ShoreField, seeds: tuple, rects: list[Rect]) -> list[Rect]:
+def _shore_moved(
+    level: Level, have: ShoreField, seeds: tuple, rects: list[Rect]
+) -> Generator[None, None, list[Rect]]:  # fmt: skip
     """Rectangles of mask cells in which the shoreline may have moved; brings both masks up to date."""
     every, flipped = Rect(0, 0, *have.wet.shape), False
     near = [rect.pad(1).intersect(every) for rect in rects]
@@ -178,10 +207,12 @@ def _shore_moved(level: Level, have: ShoreField, seeds: tuple, rects: list[Rect]
         have.wet[rect.slices] = wet
     if flipped:
         sea = joined_water(have.wet, have.wet & open_edge(have.wet.shape, seeds, have.cell_m * have.times))
-        rows, cols = np.nonzero(sea != have.sea)
+        yield
+        other = sea != have.sea
         have.sea = sea
+        rows, cols = (np.flatnonzero(other.any(axis=axis)) for axis in (1, 0))
         if len(rows):
-            moved.append(Rect(int(rows.min()), int(cols.min()), int(rows.max()) + 1, int(cols.max()) + 1).pad(1))
+            moved.append(Rect(int(rows[0]), int(cols[0]), int(rows[-1]) + 1, int(cols[-1]) + 1).pad(1))
     return merge(rect.intersect(every) for rect in moved)
 
 
@@ -194,13 +225,14 @@ def _reach(have: ShoreField) -> int:
     return math.ceil(have.range_m / (have.cell_m * have.times))
 
 
-def _measure(level: Level, have: ShoreField, rect: Rect) -> None:
+def _measure(level: Level, have: ShoreField, rect: Rect) -> Iterator[None]:
     """Distances at the mask cells of `rect` and the texels between them."""
     window = rect.pad(_reach(have) + NEAR + 2).intersect(Rect(0, 0, *have.wet.shape))
     depth = _finer(_depth(level, have.stride, window), have.times)
     sea = _finer_any(have.sea[window.slices], have.times) & (depth > 0)
+    np.minimum(depth, 0, out=depth, where=~sea)  # what changed since the mask was made comes in the next update
     inner = _texels(rect.shifted(window), have.times)
-    cells = signed_distance(depth, sea, math.ceil(have.range_m / have.cell_m), inner)
+    cells = yield from distance_in_parts(depth, sea, math.ceil(have.range_m / have.cell_m), inner)
     metres = np.clip(cells * np.float32(have.cell_m), -have.range_m, have.range_m)
     have.distance_m[_texels(rect, have.times).slices] = metres
 
@@ -211,15 +243,15 @@ def _bare(level: Level, have: ShoreField, rect: Rect) -> None:
     have.beach_m[_texels(rect, have.times).slices] = _finer(bare, have.times)
 
 
-def _pack(have: ShoreField, rect: Rect) -> Rect:
-    """Pack the texels of mask cells, some rows at a time; returns the rectangle of texels."""
+def _pack(have: ShoreField, rect: Rect) -> Iterator[None]:
+    """Pack the texels of mask cells, some rows at a time."""
     texels, every = _texels(rect, have.times), Rect(0, 0, *have.packed.shape[:2])
     for row in range(texels.row0, texels.row1, BAND):
         band = texels.intersect(Rect(row, texels.col0, row + BAND, texels.col1))
         wide = band.pad(1).intersect(every)  # a direction looks at the neighbours
         toward = direction(have.distance_m[wide.slices], have.cell_m)[(slice(None), *band.shifted(wide).slices)]
         have.packed[band.slices] = pack(have.distance_m[band.slices], toward, have.beach_m[band.slices], have.range_m)
-    return texels
+        yield
 
 
 def _texels(rect: Rect, times: int) -> Rect:

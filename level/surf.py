@@ -10,8 +10,9 @@ import math
 
 import numpy as np
 
+from .earth import GRAVITY
+
 BROKEN_SHARE = 0.95  # of breaker · depth: from that height on a wave counts as broken
-GRAVITY = 9.81
 TYPES = ("spilling", "plunging", "surging")
 LIMITS = (0.4, 2.0)
 

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import ndimage
 
+from .request import Request
 from .travel_time import LEAST_DEPTH_M, TravelTime, solve, stride
 from .wave_heights import BREAKS_AT, WaveHeights, wave_heights
 
@@ -28,7 +29,7 @@ class Swell:
 
 
 @dataclass(frozen=True)
-class SwellRequest:
+class SwellRequest(Request[tuple["SwellResult", ...]]):
     """A bed and the swells over it."""
 
     depth_m: np.ndarray  # float32 (rows, cols), row 0 south, land <= 0
@@ -43,17 +44,14 @@ class SwellRequest:
     runup: str = "hunt"
 
     def kept(self) -> SwellRequest:
-        """With arrays of its own, which no later edit of the level reaches."""
         speed = None if self.speed is None else np.array(self.speed, np.float32)
         return replace(self, depth_m=np.array(self.depth_m, np.float32), speed=speed)
 
     @property
     def answer_bytes(self) -> int:
-        """Bytes of the arrays of its answer, at most."""
         return (BYTES_PER_CELL * self.depth_m.size + (1 << 12)) * len(self.swells)
 
     def answered(self) -> tuple[SwellResult, ...]:
-        """The answer, worked out now."""
         return solve_request(self)
 
     @property

@@ -25,7 +25,7 @@ YAWS_DEG, BENDS = np.arange(0, 360, 10.0), np.linspace(-1, 1, 9)
 
 def shoreline(level: Level, x: float, y: float, radius_m: float) -> np.ndarray:
     """World points (n, 2) of the sea's shoreline within a circle, where the distance to it changes sign."""
-    field = shore_field(level)
+    field = shore_field(level, now=True)
     rows, cols = field.distance_m.shape
     first = [max(int((v - radius_m) / field.cell_m) - 1, 0) for v in (x, y)]
     last = [min(int((v + radius_m) / field.cell_m) + 2, side) for v, side in ((x, cols), (y, rows))]

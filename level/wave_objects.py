@@ -12,6 +12,7 @@ from functools import lru_cache
 import numpy as np
 
 from .dual import Dual, step
+from .earth import GRAVITY
 from .gerstner import Fronts
 from .level import Level
 from .objects import SwellRegion, WaveObject
@@ -19,7 +20,6 @@ from .settings import Sea
 from .wave_lists import MOST_OBJECTS, MOST_ON_PATCH, counted
 from .weather_keys import base_settings
 
-GRAVITY = 9.81
 HIGH, LOW = range(2)  # the passes, in the order in which they are added (H06)
 SHARES = (0.7, 0.17, 0.13)  # of the amplitude; the first front goes exactly where the object looks
 SPREAD_DEG = (0.0, 5.0, -5.0)

@@ -7,8 +7,9 @@ import math
 import numpy as np
 
 from ..level import Settings
+from ..level.earth import GRAVITY
 from ..level.gerstner import groups
-from ..level.loop import CAP_LIFE_S, GRAVITY, RIPPLES, looped, moment, ripple_period_s, turns
+from ..level.loop import CAP_LIFE_S, RIPPLES, looped, moment, ripple_period_s, turns
 from ..level.settings import Sea
 from ..level.sun import light_angles
 from ..level.water_optics import absorption, backscatter

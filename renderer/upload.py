@@ -11,6 +11,7 @@ from ..level.arrival_map import ArrivalMap
 from ..level.beach_map import beach_map
 from ..level.flow import current
 from ..level.layers import LAYERS, WEATHER_GRID
+from ..level.level import merge
 from ..level.patches import patch_kinds
 from ..level.river_map import RiverMap, river_map
 from ..level.shore import ShoreMap, shore_map
@@ -87,17 +88,13 @@ class Uploader:
             self.river_bounds = None
 
     def _sync_shore(self, shore: ShoreMap) -> None:
-        known, revision, held = self.seen.get("shore", (None, 0, None))
+        known, revision = self.seen.get("shore", (None, 0))
         if known is shore and revision == shore.revision:
             return
-        # A settled stroke makes the whole map anew; most of it is as it was.
-        rects = shore.changed_since(revision) if known is shore else [_difference(held, shore.packed)]
-        if held is None or held.shape != shore.packed.shape:
-            held = np.empty_like(shore.packed)
+        rects = shore.changed_since(revision) if known is shore else _new_in(known, revision, shore)
         for rect in rects:
             self._send("u_bed", shore.packed[rect.slices], rect, "f4")
-            held[rect.slices] = shore.packed[rect.slices]
-        self.seen["shore"] = shore, shore.revision, held
+        self.seen["shore"] = shore, shore.revision
 
     def _sync_beach(self, level: Level) -> None:
         """The sand under the sheet and the sway along the shore (H10, H20), RG16F; only what changed is sent."""
@@ -258,7 +255,7 @@ class Uploader:
             return
         data = np.ascontiguousarray(values, {"f4": np.float32, "f2": np.float16, "f1": np.uint8}[dtype])
         size = rect.col1 - rect.col0, rect.row1 - rect.row0
-        self.textures[name].write(data.tobytes(), viewport=(rect.col0, rect.row0, *size), alignment=1)
+        self.textures[name].write(data, viewport=(rect.col0, rect.row0, *size), alignment=1)
         self.sent[name] += data.nbytes
 
     def release(self) -> None:
@@ -280,10 +277,22 @@ def _water_levels(made: RiverMap) -> np.ndarray:
     return np.where(made.packed[..., 1] > 0, made.packed[..., 0], np.float32(-1e6))
 
 
-def _difference(old: np.ndarray | None, new: np.ndarray) -> Rect:
-    """The rectangle outside which two arrays `(rows, cols, channels)` are the same; all of it without old ones."""
-    if old is None or old.shape != new.shape:
-        return Rect(0, 0, *new.shape[:2])
-    other = (old != new).any(axis=2)
-    rows, cols = np.flatnonzero(other.any(axis=1)), np.flatnonzero(other.any(axis=0))
-    return Rect(int(rows[0]), int(cols[0]), int(rows[-1]) + 1, int(cols[-1]) + 1) if len(rows) else Rect(0, 0, 0, 0)
+def _new_in(known: ShoreMap | None, revision: int, shore: ShoreMap) -> list[Rect]:
+    """What the GPU hasn't got of a map that was made anew, when it holds another as that was at a revision.
+
+    A settled stroke makes the whole map anew; most of it is as it was.
+    """
+    if known is None or known.packed.shape != shore.packed.shape:
+        return [Rect(0, 0, *shore.packed.shape[:2])]
+    return merge([_difference(known.packed, shore.packed), *known.changed_since(revision)])
+
+
+def _difference(old: np.ndarray, new: np.ndarray) -> Rect:
+    """The rectangle outside which two float32 arrays `(rows, cols, 4)` have the same bits."""
+    old, new = (values.view(np.uint64).reshape(len(values), -1) for values in (old, new))
+    rows = np.flatnonzero([not np.array_equal(*pair) for pair in zip(old, new)])  # row by row: in the processor's cache
+    if not len(rows):
+        return Rect(0, 0, 0, 0)
+    row0, row1 = int(rows[0]), int(rows[-1]) + 1
+    cols = np.flatnonzero((old[row0:row1] != new[row0:row1]).any(axis=0)) // 2
+    return Rect(row0, int(cols[0]), row1, int(cols[-1]) + 1)

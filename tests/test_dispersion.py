@@ -2,7 +2,8 @@
 
 import numpy as np
 import pytest
-from shorewright.level.dispersion import GRAVITY, deep_water_length, group_speed, phase_speed, wavenumber
+from shorewright.level.dispersion import deep_water_length, group_speed, phase_speed, wavenumber
+from shorewright.level.earth import GRAVITY
 
 DEPTHS_M = np.geomspace(0.01, 1000.0, 400)
 PERIODS_S = (1.5, 3.33, 6.0, 10.0, 14.0, 25.0)
