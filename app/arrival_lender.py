@@ -9,12 +9,9 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-import numpy as np
-from scipy import ndimage
-
 from ..level import BadInput
 from ..level.arrival import Asked
-from ..level.arrival_map import BREAKS, HEIGHTS, TIMES, ArrivalMap
+from ..level.arrival_map import HEIGHTS, ArrivalMap
 
 ARRIVALS = "arrivals"  # the name of arrival maps among what is asked for
 
@@ -97,8 +94,7 @@ class ArrivalLender:
         if made.block(HEIGHTS).any():
             self._tall = made
         elif self._tall is not None:
-            others = [_resized(self._tall.block(which), made.shape) for which in (HEIGHTS, BREAKS)]
-            made = replace(made, packed=np.concatenate([made.block(TIMES), *others]).astype(np.float32))
+            made = made.with_rest_of(self._tall)
         self._held, self.made = key, made
 
     def forget(self) -> None:
@@ -112,13 +108,3 @@ class ArrivalLender:
         """End the process."""
         self.forget()
         self._worker.close()
-
-
-def _resized(values: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
-    """A map `(rows, cols, channels)` at as many samples as another has, over the same ground."""
-    if values.shape[:2] == shape:
-        return values
-    row, col = (np.linspace(0, had - 1, has) for had, has in zip(values.shape[:2], shape, strict=True))
-    at = np.meshgrid(row, col, indexing="ij")
-    channels = [ndimage.map_coordinates(values[..., i], at, order=1) for i in range(values.shape[2])]
-    return np.stack(channels, axis=-1)

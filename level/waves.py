@@ -5,6 +5,7 @@ Stateless in t. Games spawn particles and float things with it; tests hold the s
 
 from __future__ import annotations
 
+import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -211,7 +212,8 @@ def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceFi
 def _before_breaking(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap | None, x, y):
     """Where shore waves that break carry world points from (H23). Under a lip there are three: the highest is taken."""
     shape, at, shore = x.shape, np.stack([x.ravel(), y.ravel()]), shore_at(level, t)
-    bed = shore_map(level).at(*at, level.tide_m)
+    tide_m = np.broadcast_to(level.tide_m, shape).ravel() if np.ndim(level.tide_m) else level.tide_m
+    bed = shore_map(level).at(*at, tide_m)
     s = 1.0 - bed["smoothed"].v / shore.range_m
     # by times of travel waves may break anywhere
     here = 0.0 if made is not None else (s - BREAK_S) * break_rate(shore, s_cycles(shore))
@@ -220,6 +222,10 @@ def _before_breaking(level: Level, t: float, fronts: list[Fronts], made: Arrival
         return x, y
 
     times = np.broadcast_to(t, shape).ravel()[near] if np.ndim(t) else t
+    if np.ndim(level.tide_m):
+        level = copy.copy(level)
+        level.tide_m = np.broadcast_to(level.tide_m, shape).ravel()[near]
+        made = made if made is None else made.only(np.broadcast_to(made.rise, shape).ravel()[near])
 
     def carried(at: np.ndarray) -> Moved:
         masks = _shore_waves(level, times, fronts, made, *at).masks
