@@ -159,7 +159,9 @@ class ArrivalMap:
 
     def _joined(self, i: int, cycles: Dual, beyond: Dual, x, y) -> tuple[Dual, np.ndarray]:
         """Cycles that become those of the plane wave beyond the border, and what is left of the height in between."""
-        east, north = (self._mixed(one.plane[i, axis] for one in (self, *self.above)) / self.period_s[i] for axis in (0, 1))
+        east, north = (
+            self._mixed(one.plane[i, axis] for one in (self, *self.above)) / self.period_s[i] for axis in (0, 1)
+        )
         plane = Dual(east * x + north * y, east, north)
         gap = plane - cycles
         lies = 1.0 - 4.0 * beyond.v * (1.0 - beyond.v) * step(*APART, Dual(np.abs(gap.v))).v

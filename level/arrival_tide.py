@@ -1,14 +1,15 @@
 """Maps of arrival under a tide (T06): solved at some levels of the sea, a straight line in between.
 
-Where one of two neighbouring levels has land and the other sea, the lower map takes the times of the higher one, shifted
-by what the two differ at the nearest water of both: the beach between is crossed as at high water, only later. Heights
-there grow from none, and are at most `timing.breaker` · `timing.tide_step_m` / 4 off.
+Where one of two neighbouring levels has land and the other sea, the lower map takes the times of the higher one,
+shifted by what the two differ at the nearest water of both: the beach between is crossed as at high water, only later.
+Heights there grow from none, and are at most `timing.breaker` · `timing.tide_step_m` / 4 off.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -107,7 +108,7 @@ class TideMaps:
 
 def joined(maps: list[ArrivalMap]) -> ArrivalMap:
     """One map of several sea levels, the lowest first."""
-    first, *above = [_with_beach(low, high) for low, high in zip(maps, maps[1:], strict=False)] + maps[-1:]
+    first, *above = [_with_beach(low, high) for low, high in pairwise(maps)] + maps[-1:]
     return replace(first, above=tuple(above))
 
 

@@ -19,7 +19,7 @@ class Timing(Section):
     )
     breaker: float = param(0.78, 0.3, 1.5, "", "Height against depth at which a wave breaks.", soft=(0.5, 1.2))
     tide_step_m: float = param(
-        0.5, 0.05, 10, "m", "Under a tide times of travel are solved at every so many metres of it, and are a straight "
+        0.25, 0.05, 10, "m", "Under a tide times of travel are solved at every so many metres of it, with a straight "
         "line in between.", soft=(0.1, 2),
     )  # fmt: skip
     fast_mps: float = param(9.0, 0.5, 60, "m/s", "Fronts that run in faster than this count as too fast.", soft=(3, 20))
