@@ -47,9 +47,10 @@ def object_fronts(thing: WaveObject, seed: int) -> Fronts:
     return Fronts(np.sin(heading), np.cos(heading), length, omega, amplitude, lateral, begin)
 
 
-def phase_cycles(fronts: Fronts, t: float) -> np.ndarray:
-    """How far each front has gone at time t, 0 … 1."""
-    return np.mod(fronts.begin + np.mod(fronts.omega * t / (2 * np.pi), 1.0), 1.0)
+def phase_cycles(fronts: Fronts, t) -> np.ndarray:
+    """How far each front has gone at time t (arrays too, the fronts on the first axis), 0 … 1."""
+    gone = np.mod(np.multiply.outer(fronts.omega, t) / (2 * np.pi), 1.0)
+    return np.mod(fronts.begin.reshape(-1, *[1] * np.ndim(t)) + gone, 1.0)
 
 
 def wave_pass(sea: Sea, length_m: float) -> int:
