@@ -20,6 +20,7 @@ from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, through, tr
 from .level import Level
 from .loop import moment
 from .noise import lattice
+from .outline import region_weight
 from .patches import beach_contact, overrides, patch_shore, patch_uniforms
 from .pins import later, pin_uniforms, pinned
 from .sea_keys import fronts_at, largest_amplitude_m
@@ -28,8 +29,8 @@ from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cyc
 from .spline import second_order
 from .uncarried import Moved, uncarried
 from .wave_lists import counted, wave_regions
-from .wave_objects import HIGH, LOW, circle_weight, most_height_m, object_uniforms, objects_shift
-from .wave_regions import ahead, front_rows, most_amplitude, region_fronts, region_uniforms
+from .wave_objects import HIGH, LOW, most_height_m, object_uniforms, objects_shift
+from .wave_regions import ahead, front_rows, keeps_times, most_amplitude, region_fronts, region_uniforms
 from .weather_keys import level_at
 
 DEEP_M = 4.0  # there is no sand that the slice knows
@@ -89,15 +90,18 @@ def _group_shift(
         return shift(point, fronts, t, noises(fronts, begin))
 
     still = np.zeros(len(group.length_m))
-    if made is None:
-        moved = of(group, still)
-    else:
-        moved = travel(point, group, t, noises(group, still), made.at(point.x.v, point.y.v))
+    passing = None if made is None else made.at(point.x.v, point.y.v)
+
+    def passed(fronts: Fronts) -> tuple[Dual, Dual, Dual]:
+        return of(fronts, still) if passing is None else travel(point, fronts, t, noises(fronts, still), passing)
+
+    moved = passed(group)
     for region in wave_regions(level):
-        weight = circle_weight(region, x, y)
+        weight = region_weight(region, x, y)
         if np.any(weight.v > 0):
             its = region_fronts(group, region)
-            there = of(its, ahead(group, its, region))
+            travels = passing is not None and keeps_times(region)
+            there = passed(its) if travels else of(its, ahead(group, its, region))
             moved = tuple(a + (b - a) * weight for a, b in zip(moved, there, strict=True))
     return moved
 
