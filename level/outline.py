@@ -77,7 +77,8 @@ def deepest_m(outline: tuple[float, ...]) -> float:
     edges = edges_of(outline)
     low, high = edges[:, :2].min(axis=0), edges[:, :2].max(axis=0)
     x, y = np.meshgrid(*(np.linspace(a, b, NET) for a, b in zip(low, high, strict=True)))
-    return max(float(inside_m(edges, x, y).v.max()), 1e-3)
+    corner_m = np.hypot(x[..., None] - edges[:, 0], y[..., None] - edges[:, 1]).min(axis=-1)
+    return max(float(np.where(corner_m > 10 * LEAST_M, inside_m(edges, x, y).v, 0.0).max()), 1e-3)
 
 
 def band_m(region: SwellRegion) -> tuple[float, float]:

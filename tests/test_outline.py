@@ -115,6 +115,17 @@ def test_what_is_no_outline_is_refused():
             region(outline=tuple(float(value) for value in outline))
 
 
+@pytest.mark.parametrize("count", [3, 4, 8, 16])
+def test_the_middle_of_a_ring_has_all_the_weight(count):
+    """D32: the deepest place of an outline is its middle, never a corner that a sample falls on; W there is 2π / R."""
+    outline = ring(count, 100.0)
+    middle = inside_m(edges_of(outline), np.array([0.0]), np.array([0.0])).v[0]
+    assert deepest_m(outline) == pytest.approx(middle, rel=0.02)
+    assert middle < 100 / np.pi + 1e-6
+    thing = region(outline=outline, falloff=0.9)
+    assert region_weight(thing, np.array([thing.x]), np.array([thing.y])).v[0] == 1.0
+
+
 def test_points_come_and_go():
     outline = ring(8, 100.0)
     assert len(outline) == 16
