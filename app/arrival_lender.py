@@ -14,7 +14,7 @@ import numpy as np
 
 from ..level import BadInput
 from ..level.arrival import Asked
-from ..level.arrival_map import BREAKS, HEIGHTS, TIMES, ArrivalMap
+from ..level.arrival_map import HEIGHTS, ArrivalMap
 from ..level.request import Parts, Request
 
 ARRIVALS = "arrivals"  # the name of arrival maps among what is asked for
@@ -131,9 +131,8 @@ class ArrivalLender:
             self._tall, self._others = made, None
         elif self._tall is not None:
             if self._others is None or self._others.shape[0] != 2 * made.shape[0]:
-                others = [resized(self._tall.block(which), made.shape) for which in (HEIGHTS, BREAKS)]
-                self._others = np.concatenate(others)
-            made = replace(made, packed=np.concatenate([made.block(TIMES), self._others]))
+                self._others = self._tall.rest_at(made.shape)
+            made = made.with_rest(self._others)
         self._held, self.made = key, made
 
     def forget(self) -> None:
@@ -147,15 +146,3 @@ class ArrivalLender:
         """End the process."""
         self.forget()
         self._worker.close()
-
-
-def resized(values: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
-    """A map `(rows, cols, channels)` at as many samples as another has, over the same ground: bilinear, float32."""
-    for axis, (had, has) in enumerate(zip(values.shape[:2], shape, strict=True)):
-        if had != has:
-            at = np.linspace(0, had - 1, has)
-            first = np.minimum(at.astype(int), had - 2)
-            part = (at - first).astype(np.float32).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
-            low = values.take(first, axis)
-            values = low + (values.take(first + 1, axis) - low) * part
-    return values.astype(np.float32, copy=False)

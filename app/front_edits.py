@@ -7,6 +7,7 @@ from typing import Any
 from ..level.grid import Rect
 from ..level.params import Section, param, replace, row
 from ..level.shaping import Shaped
+from ..level.shaping_limits import SLOPE_DEG
 from . import script as words
 from .front_drag import FrontDrag, settled
 from .shaping_lender import ShapingLender
@@ -17,7 +18,7 @@ class FrontParams(Section):
     """What the tool takes."""
 
     radius_m: float = param(40.0, 2, 400, "m", "Radius in which the bed may change.", soft=(10, 150))
-    slope_deg: float = param(35.0, 1, 80, "°", "The bed becomes no steeper than this by shaping.", soft=(5, 60))
+    slope_deg: float = param(SLOPE_DEG, 1, 80, "°", "The bed becomes no steeper than this by shaping.", soft=(5, 60))
 
 
 class FrontEdits(Shots):

@@ -36,7 +36,8 @@ class Reading:
     @property
     def lines(self) -> list[str]:
         words = self.next.sentence
-        return [words[:1].upper() + words[1:], f"front {self.speed_mps:.1f} m/s, {self.next.type}"]
+        kind = f", {self.next.type}" if self.next.type else ""
+        return [words[:1].upper() + words[1:], f"front {self.speed_mps:.1f} m/s{kind}"]
 
 
 class FrontView:
@@ -125,4 +126,9 @@ def _now(session: Session) -> tuple:
 def _read(session: Session, x: float, y: float) -> Reading | None:
     level, t = _now(session)
     found = next_crest(level, t, x, y)
-    return found and Reading(x, y, found, float(front_speed_mps(level, t, np.float64(x), np.float64(y))))
+    if found is None:
+        return None
+    speed_mps = found.speed_mps
+    if speed_mps is None:
+        speed_mps = float(front_speed_mps(level, t, np.float64(x), np.float64(y)))
+    return Reading(x, y, found, speed_mps)

@@ -8,6 +8,7 @@ import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera, Placed
+from ..level.outline import outline_line
 from ..level.patches import PATCH_M
 from ..level.pick import ground_at
 from .camera_control import place, to_screen
@@ -80,10 +81,12 @@ def outlines(level: Level, thing: Placed) -> list[np.ndarray]:
     lines = []
     turn = np.linspace(0, 2 * np.pi, 73)
     for field in RINGS:
-        radius_m = getattr(thing, field, 0.0)
+        radius_m = 0.0 if getattr(thing, "outline", ()) else getattr(thing, field, 0.0)
         if radius_m > 0:
             ring = np.column_stack([np.cos(turn), np.sin(turn)]) * radius_m + (thing.x, thing.y)
             lines.append(on_surface(level, ring))
+    if getattr(thing, "outline", ()):
+        lines.append(on_surface(level, outline_line(thing)))
     if thing.kind == "sea_patch":
         corner = np.floor(np.array([thing.x, thing.y]) / PATCH_M) * PATCH_M
         part = np.linspace(0, 1, 11)[:-1]

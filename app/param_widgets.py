@@ -6,7 +6,8 @@ A drag is one undo step: while it runs `change(value, merge=True)` is called, at
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from types import MappingProxyType
 from typing import Any
 
 from imgui_bundle import imgui
@@ -20,6 +21,7 @@ Change = Callable[[Any, bool], None]
 UNIT_SUFFIXES = ("m", "km", "mm", "s", "h", "deg", "c", "ev", "mps", "px", "pct")
 LABEL_SHARE = 0.42
 PAINT = "paint_"
+NONE_IDLE: Mapping[str, str] = MappingProxyType({})
 
 
 def label_of(row: Param) -> str:
@@ -99,15 +101,22 @@ def tooltip(text: str) -> None:
 
 def draw(
     row: Param, value: Any, change: Change, seal: Callable[[], None], label: str = "",
-    switch: Callable[[], bool] | None = None,
+    switch: Callable[[], bool] | None = None, idle: str = "",
 ) -> bool:  # fmt: skip
     """One line: label, then the widget; calls `change(new, merge)` and `seal()`; returns whether it changed.
 
-    `switch` draws a checkbox in front of the widget and returns whether there is to be one.
+    `switch` draws a checkbox in front of the widget and returns whether there is to be one. `idle` says in a few words
+    why the value changes nothing now; it stands where the widget would.
     """
     imgui.push_id(row.name)
     _label(row, value, label or label_of(row))
     imgui.same_line(_label_width())
+    if idle:
+        imgui.align_text_to_frame_padding()
+        imgui.text_colored(theme.colour(theme.INK_FAINT), fitted(idle, imgui.get_content_region_avail().x))
+        tooltip(f"{idle}.\n{tooltip_of(row)}")
+        imgui.pop_id()
+        return False
     if switch is not None:
         shown = switch()
         imgui.same_line()
@@ -131,11 +140,13 @@ def draw(
 
 
 def draw_all(
-    rows: list[Param], values: Callable[[str], Any], change: Callable[[str, Any, bool], None], seal: Callable[[], None]
-) -> None:
+    rows: list[Param], values: Callable[[str], Any], change: Callable[[str, Any, bool], None],
+    seal: Callable[[], None], idle: Mapping[str, str] = NONE_IDLE,
+) -> None:  # fmt: skip
     """A line for every row; `values(name)` and `change(name, value, merge)` use the rows' own names.
 
-    A switch that is called by PAINT and a row's name stands in that row's line.
+    A switch that is called by PAINT and a row's name stands in that row's line. `idle` tells by name why a row changes
+    nothing now.
     """
     names = {row.name for row in rows}
     switches = {row.name: row for row in rows if row.name.removeprefix(PAINT) in names - {row.name}}
@@ -143,7 +154,8 @@ def draw_all(
     for row, label in zip(lines, labels(lines), strict=True):
         own = switches.get(PAINT + row.name)
         switch = (lambda own=own: _switch(own, values(own.name), change)) if own else None
-        draw(row, values(row.name), lambda value, merge, name=row.name: change(name, value, merge), seal, label, switch)
+        draw(row, values(row.name), lambda value, merge, name=row.name: change(name, value, merge), seal, label, switch,
+             idle.get(row.name, ""))  # fmt: skip
 
 
 def _switch(row: Param, on: bool, change: Callable[[str, Any, bool], None]) -> bool:

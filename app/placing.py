@@ -49,7 +49,7 @@ PLACEABLES: dict[str, Placeable] = {
         Placeable("wave", "wave", "wave", "Wave object", "water",
                   "Waves of its own in a circle, straight or curved (H08 H09)."),
         Placeable("wave_region", "wave_region", "region", "Wave region", "bullseye",
-                  "A circle in which the sea's own waves are higher, longer or turned (D32)."),
+                  "Where the sea's own waves are higher, longer or turned: a circle or outline (D32)."),
         Placeable("river", "river", "river", "River", "bridge_water",
                   "A river from here down to the sea; then its points are drawn about (D13)."),
         Placeable("sea_seed", "sea_seed", "seed", "Sea seed", "droplet", "Water here counts as sea."),

@@ -1,7 +1,8 @@
 """The gizmo of a wave object or region: rings, an arrow, curved fronts that move with the clock, handles (H08, H09).
 
 Handles are points of the world that the pointer takes with the tool Select: *size* on the ring, *aim* at the arrow's
-tip, *bend* on the front through the object's place.
+tip, *bend* on the front through the object's place. A region with an outline has its points instead of the ring, and
+between two of them one that becomes a point; a point drawn onto the one beside it is gone.
 """
 
 from __future__ import annotations
@@ -11,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..level import Level
-from ..level.objects import Camera, Placed, SwellRegion, WaveObject
+from ..level.objects import MOST_OUTLINE, Camera, Placed, SwellRegion, WaveObject
+from ..level.outline import points_of, whole_line, whole_m, with_point, without_point
 from ..level.pick import ground_at
 from ..level.wave_objects import CENTRE, inner_m, object_fronts, phase_cycles
 from .camera_control import to_screen
@@ -21,6 +23,7 @@ KINDS = (WaveObject, SwellRegion)
 REACH_PX = 11.0
 ARROW, BEND_AT = 0.5, -0.6  # of the radius: the arrow's length, where across the bend's handle is
 MOST_FRONTS = 24
+JOINED = 0.25  # of the way between the points beside it: so near to one of them a point becomes one with it
 ACROSS = np.linspace(-1, 1, 49)
 
 
@@ -61,19 +64,30 @@ def lines(level: Level, thing: Placed, time_s: float) -> list[Line]:
     """What is drawn of a wave object or region besides its ring and marker."""
     if not isinstance(thing, KINDS):
         return []
+    if isinstance(thing, SwellRegion) and thing.outline:
+        inner = [Line(on_surface(level, line), 0.4, 1.1) for line in whole_line(thing)]
+        return [*inner, *_arrow(level, thing)]
     turn = np.linspace(0, 2 * np.pi, 73)
-    inner = np.column_stack([np.cos(turn), np.sin(turn)]) * inner_m(thing) + (thing.x, thing.y)
+    whole = whole_m(thing) if isinstance(thing, SwellRegion) else inner_m(thing)
+    inner = np.column_stack([np.cos(turn), np.sin(turn)]) * whole + (thing.x, thing.y)
     fronts = _fronts(level, thing, time_s) if isinstance(thing, WaveObject) else []
     return [Line(on_surface(level, inner), 0.4, 1.1), *_arrow(level, thing), *fronts]
 
 
 def _arrow(level: Level, thing: Placed) -> list[Line]:
     along, across = axes(level, thing)
-    foot, tip = np.array([thing.x, thing.y]), np.array([thing.x, thing.y]) + ARROW * thing.radius_m * along
-    barb = 0.07 * thing.radius_m
+    foot, size_m = np.array([thing.x, thing.y]), _size_m(thing)
+    tip, barb = foot + ARROW * size_m * along, 0.07 * size_m
     head = np.array([tip - barb * along - 0.6 * barb * across, tip, tip - barb * along + 0.6 * barb * across])
     shaft = foot + np.linspace(0, 1, 9)[:, None] * (tip - foot)
     return [Line(on_surface(level, shaft), 0.9, 2.0), Line(on_surface(level, head), 0.9, 2.0)]
+
+
+def _size_m(thing: Placed) -> float:
+    """Of its circle; with an outline of one about as large."""
+    if not getattr(thing, "outline", ()):
+        return thing.radius_m
+    return float(np.hypot(*points_of(thing.outline).T).mean())
 
 
 def _fronts(level: Level, thing: WaveObject, time_s: float) -> list[Line]:
@@ -112,7 +126,14 @@ def handles(level: Level, thing: Placed | None) -> dict[str, np.ndarray]:
     if not isinstance(thing, KINDS):
         return {}
     along, across = axes(level, thing)
-    places = {"size": across * thing.radius_m, "aim": along * ARROW * thing.radius_m}
+    places = {"size": across * thing.radius_m, "aim": along * ARROW * _size_m(thing)}
+    if getattr(thing, "outline", ()):
+        del places["size"]
+        points = points_of(thing.outline)
+        places |= {f"point {i}": point for i, point in enumerate(points)}
+        if len(points) < MOST_OUTLINE:
+            between = 0.5 * (points + np.roll(points, -1, axis=0))
+            places |= {f"between {i}": point for i, point in enumerate(between)}
     if isinstance(thing, WaveObject):
         beside = BEND_AT * thing.radius_m
         ahead = bent(thing.curvature, thing.radius_m, 0.0, np.array([beside]))[0]
@@ -131,10 +152,13 @@ def handle_at(level: Level, camera: Camera, size: tuple[int, int], thing: Placed
     return list(found)[int(np.argmin(away))] if away.min() < REACH_PX else ""
 
 
-def dragged(level: Level, thing: Placed, handle: str, x: float, y: float) -> dict[str, float]:
+def dragged(level: Level, thing: Placed, handle: str, x: float, y: float) -> dict:
     """What an object's fields become when a handle is drawn to world x, y."""
     off = np.array([x - thing.x, y - thing.y])
     away = float(np.hypot(*off))
+    if handle.startswith(("point", "between")):
+        kind, number = handle.split()
+        return {"outline": _drawn(thing.outline, int(number), off, kind == "between")}
     if handle == "size":
         row = type(thing).model_fields["radius_m"].metadata
         low, high = (next(getattr(m, name) for m in row if hasattr(m, name)) for name in ("ge", "le"))
@@ -148,6 +172,18 @@ def dragged(level: Level, thing: Placed, handle: str, x: float, y: float) -> dic
         return {"turn_deg": round((yaw_deg - level.settings.sea.swell_heading_deg + 180) % 360 - 180, 1)}
     along, across = axes(level, thing)
     return {"curvature": round(curvature_through(thing.radius_m, float(off @ along), float(off @ across)), 3)}
+
+
+def _drawn(outline: tuple[float, ...], number: int, to: np.ndarray, new: bool) -> tuple[float, ...]:
+    """An outline with a point drawn elsewhere, or without it where that is on one beside it."""
+    points = points_of(outline)
+    beside = points[number], points[(number + 1) % len(points)]
+    if not new:
+        beside = points[number - 1], points[(number + 1) % len(points)]
+    near = min(float(np.hypot(*(to - one))) for one in beside) < JOINED * float(np.hypot(*(beside[1] - beside[0])))
+    if not near:
+        return with_point(outline, number, (float(to[0]), float(to[1])), new)
+    return outline if new or len(points) < 4 else without_point(outline, number)
 
 
 def curvature_through(radius_m: float, along_m: float, across_m: float) -> float:

@@ -4,7 +4,7 @@
 
 A still picture solves at once and depends on the level and the time alone. An editor sets `level.solver`: an object
 whose `answer(asked)` returns the map when it has one of just these waters, else the last good one, `settled` False, or
-None.
+None. Under a tide there are maps of several sea levels (arrival_tide.py).
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import numpy as np
 from scipy import ndimage
 
 from .arrival_map import BLOCKS, SWELLS, ArrivalMap
+from .arrival_tide import TideMaps, levels_m
 from .breaking_map import breaking_block
 from .dispersion import group_speed, wavenumber
 from .earth import GRAVITY
@@ -27,12 +28,13 @@ from .sea_keys import fronts_at
 from .settings import Shore
 from .shore import shore_map
 from .swell_request import Swell, SwellRequest, SwellResult, solve_request
+from .tide import tide_m
 from .travel_time import stride
 
 MOST_SIDE, LIVE_SIDE = 513, 257  # texels a side of the map, and of that under the brush
 MOST_GAIN = 3.0  # of a swell against its height offshore
 SHORE_SMOOTH_M = 3.0  # sigma of the time at the shoreline
-KEPT = 4  # maps that a level keeps: of the weathers that follow each other
+KEPT = 6  # maps that a level keeps: of the weathers that follow each other, and of the sea levels of a tide
 
 
 @dataclass(frozen=True)
@@ -51,7 +53,7 @@ class Asked(Request[ArrivalMap]):
 
     @property
     def answer_bytes(self) -> int:
-        return BLOCKS * 4 * 4 * self.request.depth_m.size + (1 << 12)
+        return (BLOCKS * 4 * 4 + SWELLS) * self.request.depth_m.size + (1 << 12)
 
     def answered(self) -> ArrivalMap:
         return arrival_map(self, solve_request(self.request))
@@ -92,21 +94,26 @@ def offshore_height_m(break_height_m: float, period_s: float, depth_m: float, br
     return math.sqrt(break_height_m**2.5 * math.sqrt(GRAVITY / breaker) / max(group_mps, 1e-6))
 
 
-def asked_of(level: Level, time_s: float, most_side: int | None = None) -> Asked:
-    """What the level's map at a time follows from: coarse and of times alone under the brush, else with heights.
+def asked_of(level: Level, time_s: float, most_side: int | None = None, rise_m: float | None = None) -> Asked:
+    """What a map at a time follows from: coarse and of times alone under the brush, else with heights.
 
-    `most_side` texels a side, if that is not to follow from the brush.
+    `most_side` texels a side, if that is not to follow from the brush; `rise_m` of the sea over its mean level, if that
+    is not to be the tide of the moment.
     """
+    if rise_m is None:
+        rise_m = float(tide_of(level, time_s))
     bed, fronts, settings = shore_map(level), swell(level, time_s), level.settings
     side = most_side or (LIVE_SIDE if level.live else MOST_SIDE)
     step = stride(bed.packed.shape[:2], side)
     depth = bed.packed[::step, ::step, 1]
+    if rise_m:
+        depth = depth + np.float32(rise_m)
     periods, timing = period_s(fronts), settings.timing
     lead_m = offshore_height_m(settings.shore.height_m, periods[0], max(float(depth.max()), 1.0), timing.breaker)
     heights = (0.0,) * SWELLS if level.live else (lead_m, *(float(2 * a) for a in fronts.amplitude_m[1:]))
     headings = (float(np.degrees(np.arctan2(e, n)) % 360) for e, n in zip(fronts.east, fronts.north))
     swells = tuple(Swell(*one) for one in zip(periods, headings, heights, strict=True))
-    key = (bed.revision, bed.key[0], bed.whole, step, swells, settings.shore.height_m, timing)
+    key = (bed.revision, bed.key[0], bed.whole, step, swells, settings.shore.height_m, timing, rise_m)
     request = SwellRequest(
         depth, bed.cell_m * step, swells, least_depth_m=timing.least_depth_m, breaks_at=timing.breaker,
         heights_side=MOST_SIDE,
@@ -118,11 +125,26 @@ def arrival(level: Level, time_s: float) -> ArrivalMap | None:
     """When waves come, at a time of a level; None where that follows from the depth alone, or nobody knows yet."""
     if not level.settings.timing.travels:
         return None
+    tides = level.derived.setdefault("arrival_tides", TideMaps()) if level.settings.tide.on else None
     if level.solver is not None and not level.live and not shore_map(level).whole:
-        return level.solver.latest()
-    asked = _asked_once(level, time_s)
-    if level.solver is not None:
-        return level.solver.answer(asked)
+        return level.solver.latest() if tides is None else tides.latest(tide_of(level, time_s))
+    if tides is None:
+        asked = _asked_once(level, time_s, 0.0)
+        return level.solver.answer(asked) if level.solver is not None else _kept(level, asked)
+    tide = tide_of(level, time_s)
+    if level.solver is None:
+        rises = levels_m(level.settings, tide)
+        return tides.of([_kept(level, _asked_once(level, time_s, rise)) for rise in rises], rises, tide)
+    return tides.lent(level, tide, lambda rise: _asked_once(level, time_s, rise))
+
+
+def tide_of(level: Level, time_s):
+    """How far the sea of a level stands over its mean level at a time (arrays too)."""
+    return level.tide_m if level.undated is not None else tide_m(level.settings, time_s)
+
+
+def _kept(level: Level, asked: Asked) -> ArrivalMap:
+    """The answer, worked out now if the level has it no more."""
     kept: dict = level.derived.setdefault("arrivals", {})
     if asked.key not in kept:
         kept[asked.key] = asked.answered()
@@ -131,14 +153,14 @@ def arrival(level: Level, time_s: float) -> ArrivalMap | None:
     return kept[asked.key]
 
 
-def _asked_once(level: Level, time_s: float) -> Asked:
+def _asked_once(level: Level, time_s: float, rise_m: float) -> Asked:
     """`asked_of`, remembered: all who ask for one frame ask the same."""
     bed, settings = shore_map(level), level.settings
-    key = time_s, level.live, bed.revision, bed.whole, level.objects_revision
+    key = time_s, rise_m, level.live, bed.revision, bed.whole, level.objects_revision
     kept: dict = level.derived.setdefault("asked", {})
     known = kept.get(key)
     if known is None or any(had is not has for had, has in zip(known, (bed, settings, level.undated))):
-        known = kept[key] = bed, settings, level.undated, asked_of(level, time_s)
+        known = kept[key] = bed, settings, level.undated, asked_of(level, time_s, rise_m=rise_m)
         for gone in list(kept)[:-KEPT]:
             del kept[gone]
     return known[3]
@@ -163,7 +185,8 @@ def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
             breaks = breaking_block(one.heights, one.time.reached, request.cell_m)
     times[..., 3] = _at_the_shore(request, times[..., 0], found[0].time.reached)
     periods = tuple(one.period_s for one in request.swells)
-    return ArrivalMap(np.concatenate([times, heights, breaks]), request.cell_m, periods, plane)
+    reached = np.stack([one.time.reached for one in found], -1)
+    return ArrivalMap(np.concatenate([times, heights, breaks]), request.cell_m, periods, plane, reached=reached)
 
 
 def _at_the_shore(request: SwellRequest, seconds: np.ndarray, reached: np.ndarray) -> np.ndarray:
@@ -183,6 +206,8 @@ def arrival_uniforms(made: ArrivalMap | None, share: float) -> dict:
     return {
         "u_arrival_cell_m": made.cell_m,
         "u_arrival_rate": tuple(1 / period for period in made.period_s),
-        "u_arrival_plane": np.asarray(made.plane, np.float32),
+        "u_arrival_plane": np.asarray(made.plane_now, np.float32),
+        "u_arrival_levels": 1 + len(made.above),
+        "u_arrival_rise": float(made.rise),
         "u_arrival_share": share,
     }

@@ -6,9 +6,11 @@ quadratic B-spline over the texels, for the way of a wave is the map's gradient,
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
+from scipy import ndimage
 
 from .dual import Dual, step
 from .spline import second_order, spline_weights
@@ -50,7 +52,8 @@ class ArrivalMap:
     shoreline; above them the height of the lead's shore wave and the gains of the swells; above those how the lead
     breaks: seconds since then, below 0 before, how far that shows, surf similarity, run-up in metres.
 
-    `plane` `(3, 2)`: s/m, the way of the plane wave that comes in, over its speed.
+    `plane` `(3, 2)`: s/m, the way of the plane wave that comes in, over its speed. With a tide there are maps of higher
+    seas `above`, and everything is a straight line from one to the next (arrival_tide.py).
     """
 
     packed: np.ndarray
@@ -58,6 +61,9 @@ class ArrivalMap:
     period_s: tuple[float, float, float]
     plane: np.ndarray
     settled: bool = True  # False: coarse, or of a bed that has changed since
+    reached: np.ndarray | None = None  # bool (rows, cols, 3): water that each swell comes to
+    above: tuple[ArrivalMap, ...] = ()
+    rise: float | np.ndarray = 0.0  # 0 this map, 1 the first above; one a point where each has a moment of its own
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -65,14 +71,62 @@ class ArrivalMap:
         return rows // BLOCKS, cols
 
     def block(self, which: int) -> np.ndarray:
-        """TIMES, HEIGHTS or BREAKS, `(rows, cols, 4)`."""
+        """TIMES, HEIGHTS or BREAKS, `(rows, cols, 4)`, of one moment."""
         rows = self.shape[0]
-        return self.packed[which * rows : (which + 1) * rows]
+        return self._packed_now[which * rows : (which + 1) * rows]
+
+    @property
+    def sources(self) -> tuple[np.ndarray, ...]:
+        """`packed` of each sea level that it knows; two maps of the very same sources differ in `rise` at most."""
+        return self.packed, *(one.packed for one in self.above)
+
+    @property
+    def texture(self) -> np.ndarray:
+        """What the shader reads: the sources, the lowest sea first."""
+        return np.concatenate(self.sources) if self.above else self.packed
+
+    def only(self, rise) -> ArrivalMap:
+        """The same at other moments."""
+        return replace(self, rise=rise)
+
+    @property
+    def plane_now(self) -> np.ndarray:
+        """`plane` `(3, 2)` of one moment."""
+        return self._mixed(one.plane for one in (self, *self.above))
+
+    @cached_property
+    def _packed_now(self) -> np.ndarray:
+        return self._mixed(self.sources).astype(np.float32) if self.above else self.packed
+
+    @property
+    def _shares(self) -> list:
+        """Of each level in what is between."""
+        return [np.maximum(1.0 - np.abs(self.rise - level), 0.0) for level in range(1 + len(self.above))]
+
+    def _mixed(self, parts):
+        """A straight line between things of each level, arrays or duals."""
+        first, *others = (part * share for part, share in zip(parts, self._shares, strict=True))
+        return sum(others, start=first)
+
+    def rest_at(self, shape: tuple[int, int]) -> np.ndarray:
+        """Heights and how waves break at as many samples as another map of the same ground has, one over the other."""
+        return np.concatenate([_resized(self.block(which), shape) for which in (HEIGHTS, BREAKS)]).astype(np.float32)
+
+    def with_rest(self, rest: np.ndarray) -> ArrivalMap:
+        """These times with the heights and the rest of another map."""
+        return replace(self, packed=np.concatenate([self.block(TIMES), rest]))
 
     def steep(self, x, y) -> tuple[Dual, Dual]:
         """Gradient of the lead's time of arrival in cycles per metre, east and north with their gradients (H23)."""
+        if self.above:
+            both = zip(*(one.steep(x, y) for one in self._levels), strict=True)
+            return tuple(self._mixed(parts) for parts in both)
         east, north = second_order(self.block(TIMES)[..., 0], self.cell_m, x, y)
         return east * (1 / self.period_s[0]), north * (1 / self.period_s[0])
+
+    @property
+    def _levels(self) -> tuple[ArrivalMap, ...]:
+        return replace(self, above=(), rise=0.0), *self.above
 
     def breaks(self, x, y) -> Breaks:
         """How the lead breaks at world points; beyond the border as on it."""
@@ -108,7 +162,9 @@ class ArrivalMap:
 
     def _joined(self, i: int, cycles: Dual, beyond: Dual, x, y) -> tuple[Dual, np.ndarray]:
         """Cycles that become those of the plane wave beyond the border, and what is left of the height in between."""
-        east, north = self.plane[i] / self.period_s[i]
+        east, north = (
+            self._mixed(one.plane[i, axis] for one in (self, *self.above)) / self.period_s[i] for axis in (0, 1)
+        )
         plane = Dual(east * x + north * y, east, north)
         gap = plane - cycles
         lies = 1.0 - 4.0 * beyond.v * (1.0 - beyond.v) * step(*APART, Dual(np.abs(gap.v))).v
@@ -116,6 +172,10 @@ class ArrivalMap:
 
     def _spline(self, which: int, u: np.ndarray, v: np.ndarray) -> Dual:
         """A block at texel coordinates within the map, its channels on the last axis."""
+        if self.above:
+            parts = [one._spline(which, u, v) for one in self._levels]
+            shares = [np.asarray(share)[..., None] for share in self._shares]
+            return Dual(*(sum(getattr(p, n) * share for p, share in zip(parts, shares)) for n in ("v", "dx", "dy")))
         rows, cols = self.shape
         col = np.clip(np.floor(u + 0.5), 1, cols - 2).astype(np.int64)
         row = np.clip(np.floor(v + 0.5), 1, rows - 2).astype(np.int64)
@@ -127,3 +187,13 @@ class ArrivalMap:
                 for n, weight in enumerate((wx[c] * wy[r], dx[c] * wy[r], wx[c] * dy[r])):
                     sums[n] = sums[n] + value * weight[..., None]
         return Dual(sums[0], sums[1] / self.cell_m, sums[2] / self.cell_m)
+
+
+def _resized(values: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+    """A map `(rows, cols, channels)` at as many samples as another has, over the same ground."""
+    if values.shape[:2] == shape:
+        return values
+    row, col = (np.linspace(0, had - 1, has) for had, has in zip(values.shape[:2], shape, strict=True))
+    at = np.meshgrid(row, col, indexing="ij")
+    channels = [ndimage.map_coordinates(values[..., i], at, order=1) for i in range(values.shape[2])]
+    return np.stack(channels, axis=-1)

@@ -1,4 +1,7 @@
-"""The next crest at a place: when it comes, when it breaks, how high (T06)."""
+"""The next crest at a place: when it comes, when it breaks, how high (T06).
+
+Where a wave object's fronts stand higher than the shore wave it is theirs that are told (H08): those that are seen.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +12,7 @@ import numpy as np
 from .level import Level
 from .loop import turns
 from .noise import LATTICE, lattice
+from .object_crests import object_crest
 from .shore_waves import wave_noise
 from .surf import TYPES, breaker_type
 from .timing import Clock, Passage, passage
@@ -22,7 +26,8 @@ STEP_M = 0.75
 class NextCrest:
     """`breaks_after_s` is None where the wave has broken before or never does; `broken` tells which.
 
-    `height_m` and `type` (surf.TYPES) are those at the break, of a broken wave those where it is now.
+    `height_m` and `type` (surf.TYPES) are those at the break, of a broken wave those where it is now. `of` names the
+    wave object that it comes from, whose waves don't break and have no type; "" for waves of the sea.
     """
 
     in_s: float
@@ -31,10 +36,14 @@ class NextCrest:
     type: str
     broken: bool
     at: tuple[float, float]  # the break, world metres
+    of: str = ""
+    speed_mps: float | None = None  # over the ground, where it isn't that of the sea's fronts
 
     @property
     def sentence(self) -> str:
         """`next crest in 3.2 s, breaks 1.4 s later, 0.8 m high`."""
+        if self.of:
+            return f"next crest of {self.of} in {self.in_s:.1f} s, {self.height_m:.1f} m high"
         told = "already broken" if self.broken else "does not break"
         if self.breaks_after_s is not None:
             told = f"breaks {self.breaks_after_s:.1f} s later"
@@ -42,9 +51,12 @@ class NextCrest:
 
 
 def next_crest(level: Level, t: float, x: float, y: float) -> NextCrest | None:
-    """The crest that comes next to a world point; None where no wave stands."""
+    """The crest that comes next to a world point, of the waves that stand highest there; None where none do."""
     clock = Clock.of(level, t)
     here = passage(level, t, [x], [y], clock)
+    placed = object_crest(clock.level, t, x, y)
+    if placed is not None and not (here.stands[0] and here.height_m[0] > placed.height_m):
+        return NextCrest(placed.in_s, None, placed.height_m, "", False, (x, y), placed.name, placed.speed_mps)
     if not here.stands[0]:
         return None
     cycles = float(here.cycles.v[0])

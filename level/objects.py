@@ -10,6 +10,8 @@ from pydantic import Field, TypeAdapter, field_validator
 from .loop import looped
 from .params import Section, param
 
+MOST_OUTLINE = 16  # points
+
 
 class Placed(Section):
     """What every object has: an id of its own, and a place in world metres."""
@@ -93,15 +95,38 @@ class WaveObject(Placed):
 
 
 class SwellRegion(Placed):
-    """A circle in which the sea's own waves are higher, longer, faster or turned (D32)."""
+    """A circle or outline in which the sea's own waves are higher, longer, faster or turned (D32)."""
 
     kind: Literal["wave_region"] = "wave_region"
     radius_m: float = param(120.0, 5, 20_000, "m", "Where the sea is its own again.", soft=(20, 500))
-    falloff: float = param(0.6, 0, 1, "", "Share of the radius over which it becomes so.")
+    outline: tuple[float, ...] = param(
+        (), doc="Points of an outline in place of the circle, by turns metres east and north of its place; 3 to 16."
+    )
+    falloff: float = param(
+        0.6, 0, 1, "", "Share of the radius, or of the way to an outline's middle, over which it fades."
+    )
+    outside: float = param(0.0, 0, 1, "", "Share of that which lies outside the circle or outline.")
     amplitude: float = param(2.0, 0, 8, "×", "Height of waves within; 0: none.", soft=(0, 3))
     length: float = param(1.0, 0.25, 4, "×", "Their wavelength.", soft=(0.5, 2))
     speed: float = param(1.0, 0, 4, "×", "Their speed, besides what the wavelength makes of it.", soft=(0.25, 2))
     turn_deg: float = param(0.0, -180, 180, "°", "How far they are turned, clockwise.")
+
+    @field_validator("outline")
+    @classmethod
+    def _is_outline(cls, outline: tuple[float, ...]) -> tuple[float, ...]:
+        """Nothing, or three to sixteen points whose sides don't cross."""
+        if not outline:
+            return outline
+        if len(outline) % 2 or not 6 <= len(outline) <= 2 * MOST_OUTLINE:
+            raise ValueError(f"an outline has 3 to {MOST_OUTLINE} points, two numbers each")
+        if not all(abs(value) <= 20_000 for value in outline):
+            raise ValueError("a point of an outline lies within 20000 m of its place")
+        from shapely import Polygon
+
+        shape = Polygon([outline[i : i + 2] for i in range(0, len(outline), 2)])
+        if not shape.is_valid or shape.area < 1.0:
+            raise ValueError("the sides of an outline don't cross, and it holds a square metre or more")
+        return outline
 
 
 class WaterTable(Placed):

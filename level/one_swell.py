@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import replace
+from typing import Any
 
-from .arrival import Asked
+from .arrival import KEPT, Asked
 from .arrival_map import ArrivalMap
 from .earth import GRAVITY
 from .errors import BadInput
@@ -22,14 +24,24 @@ class OneSwell:
 
     def __init__(self, heading_deg: float) -> None:
         self.heading_deg = heading_deg
-        self.kept: tuple[tuple, ArrivalMap] | None = None
+        self.kept: dict[tuple, ArrivalMap] = {}
 
     def answer(self, asked: Asked) -> ArrivalMap:
-        if self.kept is None or self.kept[0] != asked.key:
+        if asked.key not in self.kept:
             # headings of a level keep off its axes (H05); a swell that is asked for does not
             swells = tuple(replace(one, heading_deg=self.heading_deg) for one in asked.request.swells)
-            self.kept = asked.key, replace(asked, request=replace(asked.request, swells=swells)).answered()
-        return self.kept[1]
+            self.kept[asked.key] = replace(asked, request=replace(asked.request, swells=swells)).answered()
+            for key in list(self.kept)[:-KEPT]:
+                del self.kept[key]
+        return self.kept[asked.key]
+
+    def latest(self) -> None:
+        """Nothing is waited for."""
+
+    def beside(self, _name: str, _key: tuple, request: Callable[[], Any]) -> Any:
+        """The answer at once."""
+        asked = request()
+        return self.answer(asked) if isinstance(asked, Asked) else asked.answered()
 
 
 def take_swell(level: Level, period_s: float, heading_deg: float) -> None:

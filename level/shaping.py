@@ -19,6 +19,7 @@ from .errors import BadInput
 from .grid import Rect
 from .level import Level
 from .shaping_ground import ShapingGround
+from .shaping_limits import SLOPE_DEG
 from .shaping_lines import crosses_itself, middle, phase_at, resampled
 from .shaping_plate import Plate
 
@@ -64,7 +65,7 @@ class Shaped:
 
 
 def shape_front(
-    level: Level, t: float, line, radius_m: float, *, at=None, wave: int | None = None, slope_deg: float = 35.0
+    level: Level, t: float, line, radius_m: float, *, at=None, wave: int | None = None, slope_deg: float = SLOPE_DEG
 ) -> Shaped:
     """The change of the bed within `radius_m` of `at` that makes crest `wave` stand on `line` (n, 2) at moment t.
 
@@ -79,7 +80,14 @@ class Shaping:
     """What is made once for a whole drag: a disc of bed, its clock, the plate's factors; `quick` for each frame."""
 
     def __init__(
-        self, level: Level, t: float, at, radius_m: float, wave: int | None = None, slope_deg=35.0, quick: bool = False
+        self,
+        level: Level,
+        t: float,
+        at,
+        radius_m: float,
+        wave: int | None = None,
+        slope_deg=SLOPE_DEG,
+        quick: bool = False,
     ) -> None:
         if not LEAST_M <= radius_m <= MOST_M:
             raise BadInput(f"a radius of {radius_m:g} m is outside {LEAST_M:g} to {MOST_M:g} m")

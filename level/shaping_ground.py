@@ -37,7 +37,7 @@ class ShapingGround:
         self.shore, self.share = shore_at(then, t), then.settings.timing.share
         have = shore_map(then, now=True)
         self.map = have = dataclasses.replace(
-            have, bottleneck=have.bottleneck.copy()
+            have, bottleneck=have.bottleneck + np.float32(then.tide_m)
         )  # a drag changes that of the level
         if not (self.shore.on and (have.bottleneck > 0).any()):
             raise BadInput("there is no sea in this level whose waves could be shaped")
@@ -46,7 +46,7 @@ class ShapingGround:
         self.every = max(1, math.ceil(max(self.window.shape) / QUICK_SIDE)) if quick else 1
         skip = slice(None, None, self.every)
         self.cell_m = have.cell_m * self.every
-        self.depth = np.ascontiguousarray(have.packed[..., 1][self.window.slices][skip, skip])
+        self.depth = have.packed[..., 1][self.window.slices][skip, skip] + np.float32(then.tide_m)
         self.sea = (have.bottleneck[self.window.slices][skip, skip] > 0) & (self.depth > 0)
         rows, cols = self.depth.shape
         self.axes = (self.window.col0 * have.cell_m + np.arange(cols) * self.cell_m,

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from scipy import ndimage
 
+SLOPE_DEG = 35.0  # that a bed gets no steeper than, if nothing else is asked
 CALMER = 12  # passes in which slopes are brought down bit by bit; then all of the change is made less
 SILL_M = 0.03  # how far below the crest's depth a sill on its way is brought
 

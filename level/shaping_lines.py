@@ -32,7 +32,7 @@ def phase_at(level: Level, t: float, x, y, pinned: bool = True) -> tuple[Dual, n
     """
     then = level_at(level, t)
     shore, x, y = shore_at(then, t), np.asarray(x, np.float64), np.asarray(y, np.float64)
-    bed, sway = shore_map(then).at(x, y), beach_map(then).at(x, y)[1]
+    bed, sway = shore_map(then).at(x, y, then.tide_m), beach_map(then).at(x, y)[1]
     early = shore_early(shore, x, y, sway, lattice(then.settings.level.seed))
     here = (bed["sea"].v > 0.5) & (bed["depth"].v > 0) & shore.on
     late = later(then, t, x, y) if pinned else Dual(0.0)

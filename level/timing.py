@@ -180,14 +180,15 @@ def timing_map(level: Level, t: float, most_side: int = MAP_SIDE) -> TimingMap:
     clock = Clock.of(level, t)
     settings, made = clock.level.settings, clock.made
     tide_m = round(clock.level.tide_m, 2)
-    key = (level.revision, clock.shore, settings.sea, settings.level, settings.timing, id(made), tide_m, most_side)
+    sources = None if made is None else (made.settled, *map(id, made.sources))
+    key = (level.revision, clock.shore, settings.sea, settings.level, settings.timing, sources, tide_m, most_side)
     kept: dict = level.derived.setdefault("timing_maps", {})
     if key not in kept:
         stride = max(1, -(-(max(level.grid.shape) - 1) // (most_side - 1)))
         cell_m = level.grid.cell_m * stride
         rows, cols = (-(-side // stride) for side in level.grid.shape)
         x, y = np.meshgrid(np.arange(cols) * cell_m, np.arange(rows) * cell_m)
-        # the map stays with what was made of it: its id is part of the key
+        # the map stays with what was made of it: its sources' ids are part of the key
         kept[key] = TimingMap(passage(level, t, x, y, clock), cell_m), made
         for old in list(kept)[:-KEPT]:
             del kept[old]

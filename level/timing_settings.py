@@ -18,6 +18,10 @@ class Timing(Section):
         0.3, 0.05, 5, "m", "Water shallower than this slows a swell no further.", soft=(0.1, 1)
     )
     breaker: float = param(0.78, 0.3, 1.5, "", "Height against depth at which a wave breaks.", soft=(0.5, 1.2))
+    tide_step_m: float = param(
+        0.25, 0.05, 10, "m", "Under a tide times of travel are solved at every so many metres of it, with a straight "
+        "line in between.", soft=(0.1, 2),
+    )  # fmt: skip
     fast_mps: float = param(9.0, 0.5, 60, "m/s", "Fronts that run in faster than this count as too fast.", soft=(3, 20))
     slow_mps: float = param(0.7, 0.02, 10, "m/s", "Fronts slower than this stall.", soft=(0.2, 2))
     stall_s: float = param(3.0, 0.1, 60, "s", "For so long before that is a hot spot.", soft=(1, 10))

@@ -47,9 +47,10 @@ def object_fronts(thing: WaveObject, seed: int) -> Fronts:
     return Fronts(np.sin(heading), np.cos(heading), length, omega, amplitude, lateral, begin)
 
 
-def phase_cycles(fronts: Fronts, t: float) -> np.ndarray:
-    """How far each front has gone at time t, 0 … 1."""
-    return np.mod(fronts.begin + np.mod(fronts.omega * t / (2 * np.pi), 1.0), 1.0)
+def phase_cycles(fronts: Fronts, t) -> np.ndarray:
+    """How far each front has gone at time t (arrays too, the fronts on the first axis), 0 … 1."""
+    gone = np.mod(np.multiply.outer(fronts.omega, t) / (2 * np.pi), 1.0)
+    return np.mod(fronts.begin.reshape(-1, *[1] * np.ndim(t)) + gone, 1.0)
 
 
 def wave_pass(sea: Sea, length_m: float) -> int:
@@ -71,12 +72,15 @@ def inner_m(thing: WaveObject | SwellRegion) -> float:
     return thing.radius_m * (1 - max(thing.falloff, LEAST_FALLOFF))
 
 
-def circle_weight(thing: WaveObject | SwellRegion, x, y) -> Dual:
+def circle_weight(
+    thing: WaveObject | SwellRegion, x, y, whole_m: float | None = None, end_m: float | None = None
+) -> Dual:
     """1 within, falling smoothly to 0 at the circle's edge, at undeformed points."""
     px, py = x - thing.x, y - thing.y
     away = np.hypot(px, py)
     reach = np.maximum(away, 1e-6)
-    return 1.0 - step(inner_m(thing), thing.radius_m, Dual(away, px / reach, py / reach))
+    whole_m, end_m = inner_m(thing) if whole_m is None else whole_m, thing.radius_m if end_m is None else end_m
+    return 1.0 - step(whole_m, end_m, Dual(away, px / reach, py / reach))
 
 
 def front_coordinate(thing: WaveObject, east: float, north: float, x: Dual, y: Dual) -> tuple[Dual, Dual, Dual]:

@@ -1,7 +1,9 @@
-"""Regions of swell: circles in which the sea's own groups are higher, longer, faster or turned (Diablo IV talk, D32).
+"""Regions of swell: places in which the sea's own groups are higher, longer, faster or turned (Diablo IV talk, D32).
 
 A second set of fronts is evaluated and *displacements* are blended by weight: a blend of phases would tear. The second
 set is anchored at the region's middle, where its phase is the sea's own at t = 0, so that small changes stay near it.
+Swells on their way over the bed (T06) keep their times of arrival in a region that changes no more than their height;
+longer, faster or turned ones are plane waves there, for no map says when those would come.
 The twin is shaders/wave_regions.glsl.
 """
 
@@ -13,9 +15,9 @@ import numpy as np
 
 from .gerstner import PHASE_GAIN, Fronts
 from .level import Level
-from .objects import SwellRegion
+from .objects import MOST_OUTLINE, SwellRegion
+from .outline import band_m, edges_of, reach_m, whole_m
 from .wave_lists import MOST_REGIONS, wave_regions
-from .wave_objects import inner_m
 
 
 def region_fronts(fronts: Fronts, region: SwellRegion) -> Fronts:
@@ -29,6 +31,11 @@ def region_fronts(fronts: Fronts, region: SwellRegion) -> Fronts:
         omega=fronts.omega * region.speed / np.sqrt(region.length), amplitude_m=fronts.amplitude_m * region.amplitude,
         lateral_m=np.minimum(fronts.lateral_m * region.amplitude, fold_m),
     )  # fmt: skip
+
+
+def keeps_times(region: SwellRegion) -> bool:
+    """Whether swells come when they would without it."""
+    return (region.length, region.speed, region.turn_deg) == (1.0, 1.0, 0.0)
 
 
 def ahead(fronts: Fronts, there: Fronts, region: SwellRegion) -> np.ndarray:
@@ -50,15 +57,23 @@ def region_uniforms(level: Level, groups: list[Fronts], noise: float, t: float) 
     count = sum(len(fronts.length_m) for fronts in groups)
     place = np.zeros((MOST_REGIONS, 4), np.float32)
     way, size = np.zeros((2, MOST_REGIONS * count, 4), np.float32)
+    edges, band = np.zeros((MOST_REGIONS * MOST_OUTLINE, 4), np.float32), np.zeros((MOST_REGIONS, 4), np.float32)
     for n, region in enumerate(regions):
-        place[n] = region.x, region.y, inner_m(region), region.radius_m
+        place[n] = region.x, region.y, whole_m(region), reach_m(region)
+        band[n] = len(region.outline) // 2, *band_m(region), keeps_times(region)
+        if region.outline:
+            own = edges_of(region.outline)
+            edges[n * MOST_OUTLINE : n * MOST_OUTLINE + len(own)] = own
         rows = []
         for fronts in groups:
             there = region_fronts(fronts, region)
             rows += front_rows(there, noise, t, ahead(fronts, there, region))
         way[n * count : (n + 1) * count] = [row[0] for row in rows]
         size[n * count : (n + 1) * count] = [row[1] for row in rows]
-    return {"u_region_count": len(regions), "u_region_place": place, "u_region_way": way, "u_region_size": size}
+    return {
+        "u_region_count": len(regions), "u_region_place": place, "u_region_way": way, "u_region_size": size,
+        "u_region_edge": edges, "u_region_band": band,
+    }  # fmt: skip
 
 
 def front_rows(fronts: Fronts, noise: float, t: float, begin=0.0) -> list[tuple]:

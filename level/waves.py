@@ -5,6 +5,7 @@ Stateless in t. Games spawn particles and float things with it; tests hold the s
 
 from __future__ import annotations
 
+import copy
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,6 +20,7 @@ from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, through, tr
 from .level import Level
 from .loop import moment
 from .noise import lattice
+from .outline import region_weight
 from .patches import beach_contact, overrides, patch_shore, patch_uniforms
 from .pins import later, pin_uniforms, pinned
 from .river_map import has_rivers
@@ -29,8 +31,8 @@ from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cyc
 from .spline import second_order
 from .uncarried import Moved, uncarried
 from .wave_lists import counted, wave_regions
-from .wave_objects import HIGH, LOW, circle_weight, most_height_m, object_uniforms, objects_shift
-from .wave_regions import ahead, front_rows, most_amplitude, region_fronts, region_uniforms
+from .wave_objects import HIGH, LOW, most_height_m, object_uniforms, objects_shift
+from .wave_regions import ahead, front_rows, keeps_times, most_amplitude, region_fronts, region_uniforms
 from .weather_keys import level_at
 
 DEEP_M = 4.0  # there is no sand that the slice knows
@@ -92,15 +94,18 @@ def _group_shift(
         return shift(point, fronts, t, noises(fronts, begin))
 
     still = np.zeros(len(group.length_m))
-    if made is None:
-        moved = of(group, still)
-    else:
-        moved = travel(point, group, t, noises(group, still), made.at(point.x.v, point.y.v))
+    passing = None if made is None else made.at(point.x.v, point.y.v)
+
+    def passed(fronts: Fronts) -> tuple[Dual, Dual, Dual]:
+        return of(fronts, still) if passing is None else travel(point, fronts, t, noises(fronts, still), passing)
+
+    moved = passed(group)
     for region in wave_regions(level):
-        weight = circle_weight(region, x, y)
+        weight = region_weight(region, x, y)
         if np.any(weight.v > 0):
             its = region_fronts(group, region)
-            there = of(its, ahead(group, its, region))
+            travels = passing is not None and keeps_times(region)
+            there = passed(its) if travels else of(its, ahead(group, its, region))
             moved = tuple(a + (b - a) * weight for a, b in zip(moved, there, strict=True))
     return moved
 
@@ -217,7 +222,8 @@ def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceFi
 def _before_breaking(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap | None, x, y):
     """Where shore waves that break carry world points from (H23). Under a lip there are three: the highest is taken."""
     shape, at, shore = x.shape, np.stack([x.ravel(), y.ravel()]), shore_at(level, t)
-    bed = shore_map(level).at(*at, level.tide_m)
+    tide_m = np.broadcast_to(level.tide_m, shape).ravel() if np.ndim(level.tide_m) else level.tide_m
+    bed = shore_map(level).at(*at, tide_m)
     s = 1.0 - bed["smoothed"].v / shore.range_m
     # by times of travel waves may break anywhere
     here = 0.0 if made is not None else (s - BREAK_S) * break_rate(shore, s_cycles(shore))
@@ -226,6 +232,10 @@ def _before_breaking(level: Level, t: float, fronts: list[Fronts], made: Arrival
         return x, y
 
     times = np.broadcast_to(t, shape).ravel()[near] if np.ndim(t) else t
+    if np.ndim(level.tide_m):
+        level = copy.copy(level)
+        level.tide_m = np.broadcast_to(level.tide_m, shape).ravel()[near]
+        made = made if made is None else made.only(np.broadcast_to(made.rise, shape).ravel()[near])
 
     def carried(at: np.ndarray) -> Moved:
         masks = _shore_waves(level, times, fronts, made, *at).masks

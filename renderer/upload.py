@@ -105,10 +105,11 @@ class Uploader:
         self.seen["beach"] = beach, beach.revision
 
     def arrival(self, made: ArrivalMap):
-        """When swells arrive (T06), RGBA32F: times below, heights above."""
-        if self.seen.get("arrival") is not made.packed:
-            self._whole("u_arrival", made.packed, "f4")
-            self.seen["arrival"] = made.packed
+        """When swells arrive (T06), RGBA32F: times below, heights above; under a tide twice."""
+        seen = self.seen.get("arrival", ())
+        if len(seen) != len(made.sources) or any(a is not b for a, b in zip(seen, made.sources)):
+            self._whole("u_arrival", made.texture, "f4")
+            self.seen["arrival"] = made.sources
         return self.textures["u_arrival"]
 
     def layer(self, level: Level, name: str):

@@ -117,6 +117,9 @@ VIEWS: dict[str, View] = {
              "vec3(on_sea * passage_shown(position.xy).y)", "grey", 0, 10, ids="T06"),
         View("breakers", "Breakers", "Where waves break: blue spilling, orange plunging, pink surging.",
              "on_sea * breaker_shown(passage_at(position.xy))", "direct", ids="T06"),
+        View("shaping_limits", "Shaping limits", "What forbids to shape a front: red beds as steep as the limit of "
+             "35° and the level's border, yellow near it, green free; dim where no wave stands, grey land.",
+             "passage_shaped(position.xy)", "direct", ids="T07"),
         View("gerstner_weight", "Offshore weight", "How far the offshore waves are faded in.",
              _MASK("sea.deep"), ids="D11"),
         View("gerstner_height", "Offshore height", "Height the offshore waves add.",

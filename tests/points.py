@@ -67,6 +67,6 @@ def feedback(ctx, level, t, at):
     }
     made = arrival(level, t)
     if made is not None:
-        textures["u_arrival"] = ctx.texture(made.packed.shape[1::-1], 4, made.packed.tobytes(), dtype="f4")
+        textures["u_arrival"] = ctx.texture(made.texture.shape[1::-1], 4, made.texture.tobytes(), dtype="f4")
     varyings = {"v_position": 4, "v_masks": 4, "v_sheet": 4, "v_breaks": 4}
     return transform(ctx, SEA, at, varyings, textures, wave_uniforms(level, t), wave_defines(level))

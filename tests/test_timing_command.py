@@ -126,7 +126,7 @@ def test_folders_with_other_things_and_levels_without_sea_are_refused(beach, tmp
 def test_events_are_the_crests_at_probes(beach):
     """T06: every crest of the minute, a period apart, with its break."""
     level, _ = beach
-    level.objects["buoy"] = SimpleNamespace(kind="probe", x=32.0, y=10.0)
+    level.objects["buoy"] = SimpleNamespace(kind="probe", id="buoy", x=32.0, y=10.0)
     found = _events(level, 5.0)["events"]
     shore = level.settings.shore
     times = np.array([event["time_s"] for event in found])

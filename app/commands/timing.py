@@ -99,6 +99,6 @@ def _events(level, time_s: float) -> dict:
         at = time_s
         while (crest := next_crest(level, at, thing.x, thing.y)) and (at := at + crest.in_s + 1e-6) <= time_s + SPAN_S:
             later = None if crest.breaks_after_s is None else round(at + crest.breaks_after_s, 3)
-            events.append({"probe": name, "time_s": round(at, 3), "breaks_s": later,
-                           "height_m": round(crest.height_m, 3), "type": crest.type})  # fmt: skip
+            row = {"probe": name, "time_s": round(at, 3), "breaks_s": later, "height_m": round(crest.height_m, 3)}
+            events.append(row | ({"object": crest.of} if crest.of else {"type": crest.type}))
     return {"events": sorted(events, key=lambda event: (event["time_s"], event["probe"]))}

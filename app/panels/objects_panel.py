@@ -10,6 +10,7 @@ from functools import cache
 from imgui_bundle import imgui
 
 from ...level.objects import OBJECT_KINDS, Placed
+from ...level.outline import ring
 from ...level.params import Param, describe
 from ...level.pick import ground_at
 from ...level.wave_lists import counted
@@ -21,8 +22,18 @@ from ..placing import BY_KIND, PLACEABLES
 from ..tools import SELECT
 from . import gradient, river_points
 
-HIDDEN_FIELDS = ("id", "kind", "stops", "points", "mesh", "map", "camera")  # what has a widget of its own, or none
+HIDDEN_FIELDS = (
+    "id",
+    "kind",
+    "stops",
+    "points",
+    "mesh",
+    "map",
+    "camera",
+    "outline",
+)  # what has its own widget, or none
 LIST_SHARE = 0.42
+RING_POINTS = 8  # that an outline begins with
 FRAMED_M = 30.0  # how far off the camera stands from what it goes to
 _state = {"filter": "", "renaming": "", "name": "", "seen": ""}
 
@@ -159,8 +170,11 @@ def _selected(editor: Editor, thing: Placed) -> None:
         river_points.draw(editor, thing)
     if thing.kind == "wave":
         _fit(editor, thing)
+    if thing.kind == "wave_region":
+        _shape(editor, thing)
+    no_radius = bool(getattr(thing, "outline", ()))
     param_widgets.draw_all(
-        list(fields(thing.kind)),
+        [row for row in fields(thing.kind) if row.name != "radius_m" or not no_radius],
         lambda name: getattr(thing, name),
         lambda name, value, merge: editor.attempt(session.alter, thing.id, {name: value}, merge),
         session.seal,
@@ -193,6 +207,21 @@ def _fit(editor: Editor, thing: Placed) -> None:
         param_widgets.tooltip(f"{ACTIONS[name].title}: its fronts come in along the shore within its circle.")
         imgui.same_line()
     imgui.new_line()
+
+
+def _shape(editor: Editor, region: Placed) -> None:
+    """A circle, or an outline whose points are dragged on the water."""
+    count = len(region.outline) // 2
+    told = f"{count} points: drag them, or the dots between." if count else "A circle."
+    imgui.text_colored(theme.colour(theme.INK_FAINT), told)
+    text, made = ("Circle", ()) if count else ("Outline", ring(RING_POINTS, region.radius_m))
+    if imgui.button(theme.titled("draw-polygon", text, "region_shape")):
+        editor.attempt(editor.session.alter, region.id, {"outline": made})
+    param_widgets.tooltip(
+        "Back to the circle of its radius."
+        if count
+        else "Points on its circle, to be dragged; onto each other they join."
+    )
 
 
 def _mesh(editor: Editor, thing: Placed) -> None:

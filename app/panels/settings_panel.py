@@ -13,6 +13,7 @@ from ...level.weather_presets import WEATHERS, weather_of
 from .. import param_widgets
 from ..actions import ACTIONS
 from ..editor import Editor
+from ..idle_settings import idle
 from . import curve_editor, loop_table, tide_curve
 
 OPEN = ("shore", "sea")
@@ -85,6 +86,7 @@ def _section(editor: Editor, name: str, rows: list[Param]) -> None:
             lambda path: get(settings, path),
             lambda path, value, merge: editor.set(path, value, merge),
             editor.session.seal,
+            idle(editor.session.level, editor.session.clock.time_s),
         )
         imgui.pop_style_var()
         if any(row.name in curve_editor.PATHS for row in rows):

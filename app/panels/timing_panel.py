@@ -11,6 +11,7 @@ from ...renderer.show import MOST_GHOSTS
 from .. import front_overlay, param_widgets, theme
 from ..editor import Editor
 from ..front_view import UNITS
+from ..idle_settings import idle
 from ..param_widgets import slider, tooltip
 from . import settings_panel
 
@@ -49,8 +50,9 @@ def _source(editor: Editor, rows: list) -> None:
 
 
 def _rows(editor: Editor, rows: list) -> None:
-    settings = editor.session.level.settings
-    param_widgets.draw_all(rows, lambda path: get(settings, path), editor.set, editor.session.seal)
+    session = editor.session
+    settings, idle_now = session.level.settings, idle(session.level, session.clock.time_s)
+    param_widgets.draw_all(rows, lambda path: get(settings, path), editor.set, session.seal, idle_now)
 
 
 def _overlays(editor: Editor) -> None:

@@ -8,6 +8,8 @@ uniform float u_arrival_cell_m;
 uniform vec3 u_arrival_rate;       // one over the periods, 1/s
 uniform vec2 u_arrival_plane[3];   // s/m, of the plane waves that come in
 uniform float u_arrival_share;     // of travel time in the moment of arrival; the rest is the depth's
+uniform int u_arrival_levels;      // 2 under a tide: all of it once more below, of a higher sea
+uniform float u_arrival_rise;      // of the way from the lower of the two seas to the higher
 
 const float ARRIVAL_BEYOND_M = 160.0;
 const vec2 ARRIVAL_APART = vec2(0.2, 0.6);
@@ -25,21 +27,30 @@ vec3 spline_weights(float t) { return vec3(0.5 * (0.5 - t) * (0.5 - t), 0.75 - t
 
 vec3 spline_slopes(float t) { return vec3(t - 0.5, -2.0 * t, t + 0.5); }
 
+ivec2 arrival_size() { return textureSize(u_arrival, 0) / ivec2(1, 3 * u_arrival_levels); }
+
+vec4 arrival_texel(ivec2 texel) {
+    vec4 here = texelFetch(u_arrival, texel, 0);
+    if (u_arrival_levels > 1) {
+        vec4 above = texelFetch(u_arrival, texel + ivec2(0, 3 * arrival_size().y), 0);
+        here += (above - here) * u_arrival_rise;
+    }
+    return here;
+}
+
 void arrival_block(ivec2 texel, vec2 t, out vec4 value, out vec4 dx, out vec4 dy) {
     vec3 wx = spline_weights(t.x), wy = spline_weights(t.y);
     vec3 sx = spline_slopes(t.x) / u_arrival_cell_m, sy = spline_slopes(t.y) / u_arrival_cell_m;
     value = dx = dy = vec4(0.0);
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c) {
-            vec4 here = texelFetch(u_arrival, texel + ivec2(c - 1, r - 1), 0);
+            vec4 here = arrival_texel(texel + ivec2(c - 1, r - 1));
             value += here * (wx[c] * wy[r]);
             dx += here * (sx[c] * wy[r]);
             dy += here * (wx[c] * sy[r]);
         }
     }
 }
-
-ivec2 arrival_size() { return textureSize(u_arrival, 0) / ivec2(1, 3); }
 
 Passing passing_at(vec2 xy) {
     ivec2 size = arrival_size();

@@ -31,7 +31,8 @@ const Breaker NO_BREAKER = Breaker(vec3(0.0), vec3(0.0), vec3(0.0), vec3(0.0), v
 struct Carried { vec3 ahead_m, stands, splash; };
 
 // Gradient of a channel of a map by a quadratic B-spline: east and north, duals.
-void second_order(sampler2D map, int channel, ivec2 size, float cell_m, vec2 xy, out vec3 east, out vec3 north) {
+// Rows of the map are from `row` on.
+void second_order(sampler2D map, int channel, ivec2 size, int row, float cell_m, vec2 xy, out vec3 east, out vec3 north) {
     vec2 at = xy / cell_m, inside = clamp(at, vec2(0.0), vec2(size - 1));
     vec2 texel = clamp(floor(inside + 0.5), vec2(1.0), vec2(size - 2)), t = inside - texel;
     vec3 wx = spline_weights(t.x), wy = spline_weights(t.y), sx = spline_slopes(t.x), sy = spline_slopes(t.y);
@@ -39,7 +40,7 @@ void second_order(sampler2D map, int channel, ivec2 size, float cell_m, vec2 xy,
     vec2 first = vec2(0.0), known = vec2(equal(at, inside));
     for (int r = 0; r < 3; ++r) {
         for (int c = 0; c < 3; ++c) {
-            float here = texelFetch(map, ivec2(texel) + ivec2(c - 1, r - 1), 0)[channel];
+            float here = texelFetch(map, ivec2(texel) + ivec2(c - 1, r - 1 + row), 0)[channel];
             first += here * vec2(sx[c] * wy[r], wx[c] * sy[r]);
             second += here * vec3(bend[c] * wy[r], sx[c] * sy[r], wx[c] * bend[r]);
         }
@@ -63,14 +64,21 @@ vec3 d_inverse(vec3 x, float least) {
 // `s_body`: place along the range; `bent`: by how many cycles the shoreline bends times of arrival.
 Breaker breaker_at(vec2 xy, vec3 s_body, vec3 bent, float cycles_a_range, float range_m, float width) {
     vec3 bed_east, bed_north, one = d_const(1.0), shows = one, here = (s_body - d_const(BREAK_S)) * u_shore_break_rate;
-    second_order(u_bed, 3, bed_size(), u_bed_cell_m, xy, bed_east, bed_north);
+    second_order(u_bed, 3, bed_size(), 0, u_bed_cell_m, xy, bed_east, bed_north);
     vec3 east = bed_east * (-cycles_a_range / range_m), north = bed_north * (-cycles_a_range / range_m);
     vec3 slope = d_length(bed_east, bed_north), xi = slope * u_shore_iribarren;
     vec3 known = d_step(FLAT_SLOPE.x, FLAT_SLOPE.y, slope);
 #ifdef TRAVEL_TIME
     Breaks breaks = breaks_at(xy);
     vec3 swell_east, swell_north;
-    second_order(u_arrival, 0, arrival_size(), u_arrival_cell_m, xy, swell_east, swell_north);
+    ivec2 size = arrival_size();
+    second_order(u_arrival, 0, size, 0, u_arrival_cell_m, xy, swell_east, swell_north);
+    if (u_arrival_levels > 1) {
+        vec3 above_east, above_north;
+        second_order(u_arrival, 0, size, 3 * size.y, u_arrival_cell_m, xy, above_east, above_north);
+        swell_east += (above_east - swell_east) * u_arrival_rise;
+        swell_north += (above_north - swell_north) * u_arrival_rise;
+    }
     east += (swell_east * u_arrival_rate.x - east) * u_arrival_share;
     north += (swell_north * u_arrival_rate.x - north) * u_arrival_share;
     xi += (breaks.similarity - xi) * u_arrival_share;

@@ -60,8 +60,8 @@ void add_front(int i, vec4 way, vec4 size, int first, Deformed point, vec2 befor
 
 #ifdef TRAVEL_TIME
 // The same of swell i on its way over the bed: phases are times of arrival, crests go the way in which those grow (T06).
-void add_swell(int i, Passing passing, Deformed point, vec2 before, inout vec3 dx, inout vec3 dy, inout vec3 dz) {
-    vec4 way = u_front_way[HIGH_FRONTS + i], size = u_front_size[HIGH_FRONTS + i];
+void add_swell(int i, vec4 size, Passing passing, Deformed point, vec2 before, inout vec3 dx, inout vec3 dy, inout vec3 dz) {
+    vec4 way = u_front_way[HIGH_FRONTS + i];
     vec3 noise = phase_noise(HIGH_FRONTS + i, before), cycles = passing.swells[i], gain = passing.gains[i];
     float steep = length(cycles.yz), theta = TURN * fract(cycles.x + noise.x + 0.25 - way.z - swell_turn[i]);
     size.xy *= swell_gain[i];
@@ -88,15 +88,21 @@ Deformed gerstner_group(Deformed point, int first, int end, vec3 weight, vec2 be
     vec3 dx = vec3(0.0), dy = vec3(0.0), dz = vec3(0.0);
     int plain = end;
 #ifdef TRAVEL_TIME
+    Passing passing;
     if (first == HIGH_FRONTS) {
-        Passing passing = passing_at(vec2(point.x.x, point.y.x));
-        for (int i = 0; i < end - first; ++i) add_swell(i, passing, point, before, dx, dy, dz);
+        passing = passing_at(vec2(point.x.x, point.y.x));
+        for (int i = 0; i < end - first; ++i)
+            add_swell(i, u_front_size[first + i], passing, point, before, dx, dy, dz);
         plain = first;
     }
 #endif
     for (int i = first; i < plain; ++i) add_front(i, u_front_way[i], u_front_size[i], first, point, before, dx, dy, dz);
 #ifdef WAVE_REGIONS
+#ifdef TRAVEL_TIME
+    blend_regions(first, end, passing, point, before, dx, dy, dz);
+#else
     blend_regions(first, end, point, before, dx, dy, dz);
+#endif
 #endif
     Deformed moved = Deformed(point.x + d_mul(dx, weight), point.y + d_mul(dy, weight), point.z + d_mul(dz, weight));
 #ifdef WAVE_OBJECTS

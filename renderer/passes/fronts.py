@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from ...level.arrival import shore_at
+from ...level.shaping_limits import SLOPE_DEG
 from ...level.speed_ramp import BREAKERS, ISOCHRONE, moment_alpha, moment_colour, stops
 from ..frame import Frame
 from ..show import MOST_GHOSTS, FrontLines
@@ -32,6 +33,7 @@ def passage_uniforms(frame: Frame) -> dict:
     return {
         "u_breaker_colours": np.array(list(BREAKERS.values()), np.float32),
         "u_front_period_s": shore_at(frame.level, frame.time_s).interval_s,
+        "u_shaping": (math.tan(math.radians(SLOPE_DEG)), frame.level.settings.shore.smooth_m),
     }
 
 

@@ -47,6 +47,23 @@ Passage passage_at(vec2 xy) {
     return p;
 }
 
+uniform vec2 u_shaping;  // steepest slope that shaping leaves, rise over run; m over which slopes count
+
+// What shaping a front may do to the bed (T07): green it may get steeper, red it may not, for it is as steep as the limit or on
+// the level's border; dim where no wave stands that could be moved, grey on land.
+vec3 passage_shaped(vec2 xy) {
+    Passage here = passage_at(xy);
+    float far = max(1.73 * u_shaping.y, u_bed_cell_m);  // a difference so wide smooths as a Gaussian of that sigma does
+    vec2 slope = vec2(bed_at(xy + vec2(far, 0.0)).depth.x - bed_at(xy - vec2(far, 0.0)).depth.x,
+                      bed_at(xy + vec2(0.0, far)).depth.x - bed_at(xy - vec2(0.0, far)).depth.x) / (2.0 * far);
+    vec2 extent = vec2(textureSize(u_bed, 0) - 1) * u_bed_cell_m, inside = min(xy, extent - xy);
+    float used = min(inside.x, inside.y) < 4.0 * u_bed_cell_m ? 1.0 : length(slope) / u_shaping.x;
+    vec3 colour = used >= 1.0 ? vec3(0.70, 0.06, 0.05)
+                              : mix(vec3(0.06, 0.42, 0.20), vec3(0.85, 0.62, 0.10), smoothstep(0.2, 0.9, used));
+    if (bed_at(xy).depth.x <= 0.0) return vec3(0.10);
+    return colour * (here.strength > 0.0 ? 1.0 : 0.3);
+}
+
 // Index of spilling, plunging, surging.
 int breaker_kind(Passage p) { return int(p.similarity >= BREAKER_LIMITS.x) + int(p.similarity >= BREAKER_LIMITS.y); }
 

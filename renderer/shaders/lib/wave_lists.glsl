@@ -15,7 +15,7 @@ vec3 wave_objects_colour(vec2 xy, float pixel_m) {
     }
 #endif
 #ifdef WAVE_REGIONS
-    for (int i = 0; i < u_region_count; ++i) region = max(region, circle_weight(u_region_place[i], xy).x);
+    for (int i = 0; i < u_region_count; ++i) region = max(region, region_weight(i, xy).x);
 #endif
     vec2 coarse = abs(fract(xy / HECTARE_M + 0.5) - 0.5) * HECTARE_M;
     float far = 1.0 - smoothstep(0.05, 0.2, pixel_m / HECTARE_M);
