@@ -1,4 +1,4 @@
-"""The current that carries foam and floating things (D05, D06): what follows from the coast, flow points, and paint.
+"""The current that carries foam and floating things (D05, D06): the coast, flow points, rivers, and paint.
 
 current(level).at(x, y) -> east, north in m/s
 
@@ -16,6 +16,9 @@ from scipy import ndimage
 
 from .level import Level
 from .objects import FlowPoint
+from .river_flow import RiverFlow, river_flow
+from .river_map import river_shape
+from .river_mouth import Mouth, mouths
 from .settings import Flow
 from .shore_field import ShoreField, decode_direction, shore_field
 
@@ -23,6 +26,7 @@ MOST_SIDE = 513  # samples a side: a current is broad
 SMOOTH_M = 6.0  # the way to the shore turns over this length, or it would show the rays of its distance field
 CALM_M = 2.0  # beside the shoreline the current dies out over this
 FADE = 0.5  # share of the shore field's range over which the current to the shore dies out
+FAR_M = 200.0  # in a river the shore counts as so far: it throws no foam there (D13)
 POINT_EDGE = 0.5  # share of a flow point's radius up to which it is whole
 
 
@@ -63,17 +67,18 @@ def current(level: Level) -> Current:
     have = level.derived.get("current")
     if have is not None and level.live:
         return have
-    field = shore_field(level)
+    field, rivers = shore_field(level), river_flow(level)
     points = tuple(sorted((o for o in level.objects.values() if isinstance(o, FlowPoint)), key=lambda o: o.id))
     flow, quiet = (level.layer_revision(name) for name in ("flow", "quiet"))
     settings = level.settings
     key = (id(field), field.revision, flow, quiet, points, settings.flow, settings.quiet.flow)
+    key += () if rivers is None else (rivers.key,)
     if have is not None and have.key == key:
         return have
     if have is None or level.solver is None:
-        made = _request(level, field, points).answered()
+        made = _request(level, field, points, rivers).answered()
     else:
-        made = level.solver.beside("current", key, lambda: _request(level, field, points))
+        made = level.solver.beside("current", key, lambda: _request(level, field, points, rivers))
         if made is None:
             return have  # till the new one has come
     have = level.derived["current"] = replace(made, key=key)
@@ -82,7 +87,7 @@ def current(level: Level) -> Current:
 
 @dataclass(frozen=True)
 class CurrentRequest:
-    """All that a current follows from, as a process can carry it: the shore field, paint, points, settings."""
+    """All that a current follows from, as a process can carry it: the shore field, paint, points, rivers, settings."""
 
     distance_m: np.ndarray
     way: np.ndarray  # uint8 `(rows, cols, 2)`, as packed
@@ -94,10 +99,12 @@ class CurrentRequest:
     points: tuple
     settings: Flow
     held: float  # by quiet
+    river: np.ndarray  # float32 `(rows, cols, 3)`: east, north m/s, share of its water; one sample where there is none
+    mouths: tuple[Mouth, ...]
 
     def kept(self) -> CurrentRequest:
         """With arrays of its own, which no later edit of the level reaches."""
-        arrays = {name: np.array(getattr(self, name)) for name in ("distance_m", "way", "quiet", "painted")}
+        arrays = {name: np.array(getattr(self, name)) for name in ("distance_m", "way", "quiet", "painted", "river")}
         return replace(self, **arrays)
 
     @property
@@ -111,7 +118,7 @@ class CurrentRequest:
         y, x = np.mgrid[0:rows, 0:cols] * self.cell_m
         distance, to_shore = self._shore(x, y)
         packed = np.zeros((rows, cols, 4), np.float32)
-        packed[..., 2], packed[..., 3] = self.quiet, distance
+        packed[..., 2], packed[..., 3] = self.quiet, distance + self.river[..., 2] * (FAR_M - distance)
         to_points = None
         if self.settings.on:
             wet = np.clip(distance / CALM_M, 0, 1)
@@ -119,12 +126,22 @@ class CurrentRequest:
             free = (1 - self.held * self.quiet)[..., None]
             flow, pull = to_shore * self.settings.shore_mps, _to_points(self.points, x, y)
             flow += pull * self.settings.points
-            flow *= wet
+            own = self.river[..., 2:]  # in a river it is the river's
+            flow *= wet * (1 - own)
+            flow += self._jets(x, y) * np.maximum(wet, own) * (1 - own)
+            flow += own * self.river[..., :2] * self.settings.rivers
             if self.points:
-                to_points = (pull * wet * free).astype(np.float32)
+                to_points = (pull * wet * (1 - own) * free).astype(np.float32)
             flow += self.painted * self.settings.painted
             packed[..., :2] = flow * free
         return Current(packed, self.cell_m, (), to_points)
+
+    def _jets(self, x, y) -> np.ndarray:
+        """What rivers drive on out at sea: velocities add up, `(rows, cols, 2)` m/s (D35)."""
+        total = np.zeros((*x.shape, 2))
+        for mouth in self.mouths:
+            total += mouth.speed(x, y, self.cell_m)[..., None] * (mouth.east, mouth.north)
+        return total
 
     def _shore(self, x, y) -> tuple[np.ndarray, np.ndarray]:
         """Metres to the shoreline (+ sea) `(rows, cols)`, the smoothed way there `(rows, cols, 2)`: zero on land."""
@@ -140,13 +157,17 @@ class CurrentRequest:
         return distance, way / np.maximum(share, 0.2)[..., None]
 
 
-def _request(level: Level, field: ShoreField, points: tuple) -> CurrentRequest:
+def _request(level: Level, field: ShoreField, points: tuple, rivers: RiverFlow | None) -> CurrentRequest:
     settings, grid = level.settings, level.grid
     stride = max(1, math.ceil((max(grid.shape) - 1) / (MOST_SIDE - 1)))
     quiet, painted = (level.layers[name].read(grid.rect)[::stride, ::stride] for name in ("quiet", "flow"))
+    river, ends = np.zeros((1, 1, 3), np.float32), ()
+    if rivers is not None:
+        river = rivers.on(quiet.shape, stride * grid.cell_m)
+        ends = mouths(river_shape(level).lines, rivers, settings.flow.rivers)
     return CurrentRequest(
         field.distance_m, field.packed[..., 1:3], field.cell_m, field.range_m, quiet, painted, stride * grid.cell_m,
-        points, settings.flow, settings.quiet.flow,
+        points, settings.flow, settings.quiet.flow, river, ends,
     )  # fmt: skip
 
 
