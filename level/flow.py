@@ -17,8 +17,7 @@ from scipy import ndimage
 from .level import Level
 from .objects import FlowPoint
 from .river_flow import RiverFlow, river_flow
-from .river_map import river_shape
-from .river_mouth import Mouth, mouths
+from .river_jet import Mouth
 from .settings import Flow
 from .shore_field import ShoreField, decode_direction, shore_field
 
@@ -128,8 +127,8 @@ class CurrentRequest:
             flow += pull * self.settings.points
             own = self.river[..., 2:]  # in a river it is the river's
             flow *= wet * (1 - own)
-            flow += self._jets(x, y) * np.maximum(wet, own) * (1 - own)
-            flow += own * self.river[..., :2] * self.settings.rivers
+            runs = self._jets(x, y) * np.maximum(wet, own) * (1 - own) + own * self.river[..., :2]
+            flow += self.settings.rivers * runs
             if self.points:
                 to_points = (pull * wet * (1 - own) * free).astype(np.float32)
             flow += self.painted * self.settings.painted
@@ -164,7 +163,7 @@ def _request(level: Level, field: ShoreField, points: tuple, rivers: RiverFlow |
     river, ends = np.zeros((1, 1, 3), np.float32), ()
     if rivers is not None:
         river = rivers.on(quiet.shape, stride * grid.cell_m)
-        ends = mouths(river_shape(level).lines, rivers, settings.flow.rivers)
+        ends = rivers.mouths
     return CurrentRequest(
         field.distance_m, field.packed[..., 1:3], field.cell_m, field.range_m, quiet, painted, stride * grid.cell_m,
         points, settings.flow, settings.quiet.flow, river, ends,

@@ -184,7 +184,7 @@ def _lay(made: RiverMap, which: int, sea_m: float) -> None:
     laid = along(line, packed.shape[:2], cell_m, bank_m)
     i, here = laid.nearest, packed[laid.rows, laid.cols]
     along_m, last = line.along_m[i] + laid.ahead_m, len(line.x) - 1
-    share = np.clip((line.half_m[i] + bank_m - laid.off_m) / bank_m, 0, 1)
+    share = np.clip((line.half_m[i] + bank_m - laid.off_m) / (bank_m - cell_m), 0, 1)  # it falls off under the bank
     share[(i == last) & (laid.ahead_m > 0) | (i == 0) & (laid.ahead_m < -bank_m)] = 0.0
     if line.mouth <= last:
         tail_m = line.along_m[-1] - line.along_m[line.mouth]

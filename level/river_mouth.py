@@ -1,7 +1,4 @@
-"""Where rivers run into the sea (D35): the jet that goes on out there, and what it leaves of the waves that meet it.
-
-Jet: a core of CORE widths in which its middle keeps the river's speed, then 1 / √distance; the half width, where it has
-half of that, grows by SPREAD a metre; a Gaussian across (plane turbulent jet, Albertson et al. 1950).
+"""What a river and its jet leave of the sea's waves that meet it (D35).
 
 Waves against a current U: energy comes no farther than where cg + U = 0, in deep water U = −g P / (8 π). Till there
 they get shorter and higher by wave action: with r = −U / (that speed) and s = √(1 − r), (cg + U) / cg is s, and
@@ -12,7 +9,6 @@ the depth).
 from __future__ import annotations
 
 import functools
-import math
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -21,67 +17,17 @@ from .dispersion import GRAVITY
 from .gerstner import Fronts, groups
 from .level import Level
 from .river_flow import RiverFlow, river_flow
+from .river_jet import Mouth, smooth
 from .river_line import SPREAD, Line
-from .river_map import RiverMap, code_of_waves, river_shape
+from .river_map import PAINTED, RiverMap, code_of_waves, river_shape
 from .weather_keys import base_settings
 
-CORE = 5.2  # widths
 MOST_GAIN = 1.6  # waves get no higher than so many times what they were
 STEEPEST = 0.14  # of waves, height by length, × tanh k h (Miche)
 STOPS = (0.92, 1.08)  # of the speed that stops waves: all of them, none get through
 WHITE = (0.2, 0.5)  # (cg + U) / cg up to which they are white, at which they aren't
 TIDAL = 8.0  # widths up a quiet river over which waves die out on its banks and bed
 TURNS_IN = 3.0  # widths before the mouth over which waves from all sides become waves up the river
-
-
-@dataclass(frozen=True)
-class Mouth:
-    """World place, unit heading, speed and half width of a river where it comes to the sea; felt to `reach_m`."""
-
-    x: float
-    y: float
-    east: float
-    north: float
-    speed_mps: float
-    half_m: float
-    reach_m: float
-
-    def off(self, x, y) -> tuple[np.ndarray, np.ndarray]:
-        """Metres ahead of it, and to its left."""
-        dx, dy = np.asarray(x, np.float64) - self.x, np.asarray(y, np.float64) - self.y
-        return dx * self.east + dy * self.north, dy * self.east - dx * self.north
-
-    def speed(self, x, y, cell_m: float) -> np.ndarray:
-        """Of the jet along its heading, m/s at world points, smooth on cells of that size; exactly 0 where none is."""
-        ahead, across = self.off(x, y)
-        core = 2 * CORE * self.half_m
-        far = np.maximum(ahead, 0.0)
-        flat = self.half_m * np.maximum(1 - far / core, 0)
-        wide = np.maximum((self.half_m + SPREAD * far - flat) / math.sqrt(math.log(2)), 1.5 * cell_m)
-        over = np.maximum(np.abs(across) - flat, 0) / wide
-        profile = np.maximum(np.exp(-over * over) - 0.002, 0) / 0.998
-        known = _smooth(-2 * cell_m, 0.0, ahead) * (1 - _smooth(0.5 * self.reach_m, self.reach_m, ahead))
-        return self.speed_mps * np.sqrt(core / np.maximum(far, core)) * profile * known
-
-
-def _smooth(low: float, high: float, x) -> np.ndarray:
-    u = np.clip((x - low) / (high - low), 0, 1)
-    return u * u * (3 - 2 * u)
-
-
-def mouths(lines: tuple[Line, ...], flow: RiverFlow, strength: float) -> tuple[Mouth, ...]:
-    """Of all lines that run into the sea; `strength` times as fast."""
-    found = []
-    for which, line in enumerate(lines):
-        speed = float(flow.mouth_mps[which]) * strength
-        if line.mouth < len(line.x) and speed > 0:
-            at = line.mouth - 1
-            way = np.array([line.x[-1] - line.x[at], line.y[-1] - line.y[at]])
-            way /= np.linalg.norm(way)
-            reach = line.along_m[-1] - line.along_m[at]
-            found.append(Mouth(line.x[at], line.y[at], *map(float, way), speed, float(flow.mouth_half_m[which]),
-                               float(reach)))  # fmt: skip
-    return tuple(found)
 
 
 @functools.lru_cache(1)
@@ -120,8 +66,8 @@ def met(period_s, depth_m, against_mps, amplitude_m: float = 0.0) -> Met:
         length = GRAVITY * np.asarray(period_s) ** 2 / (2 * np.pi) * (0.5 * (1 + s)) ** 2
         steepest = 0.5 * STEEPEST * length * np.tanh(2 * np.pi / length * np.maximum(depth_m, 0.05)) / amplitude_m
         most = np.clip(steepest, 1.0, MOST_GAIN)
-    through = 1 - _smooth(*STOPS, r)
-    white = (1 - _smooth(*WHITE, s)) * (1 - _smooth(1.0, 1.5, r))
+    through = 1 - smooth(*STOPS, r)
+    white = (1 - smooth(*WHITE, s)) * (1 - smooth(1.0, 1.5, r))
     return Met(np.minimum(2 / ((1 + s) * np.sqrt(s)), most), through, white)
 
 
@@ -135,7 +81,7 @@ class Shares:
 
 
 def _group(fronts: Fronts, depth_m, east, north, up: float = 0.0, speed=None) -> Met:
-    """Of a group: the mean over its fronts by amplitude against a current `east`, `north`.
+    """Of a group: the mean over its fronts by amplitude against a current `east`, `north`, the whitest of them.
 
     `up` 0 … 1: how far all of them run straight against it, `speed` m/s.
     """
@@ -150,7 +96,7 @@ def _group(fronts: Fronts, depth_m, east, north, up: float = 0.0, speed=None) ->
         one = met(period, depth_m, against, float(fronts.amplitude_m[i]))
         total.gain += weight * one.gain
         total.through += weight * one.through
-        total.white += weight * one.white
+        total.white = np.maximum(total.white, one.white)
     return total
 
 
@@ -161,16 +107,30 @@ def shares(level: Level, shape: RiverMap, flow: RiverFlow) -> Shares:
     strength = base_settings(level).flow.rivers
     stride = round(shape.cell_m / level.grid.cell_m)
     sea_depth = level.mean_sea_m - level.height[::stride, ::stride]
-    ran = {(one.x, one.y): one for one in mouths(shape.lines, flow, strength)}
-    for which, line in enumerate(shape.lines):
-        mouth = ran.get((line.x[line.mouth - 1], line.y[line.mouth - 1]))
-        if mouth is not None:
-            _jet(out, mouth, sea_depth, shape.cell_m, (high, low))
-        _channel(out, which, shape, flow, strength, mouth, (high, low))
+    for mouth in flow.mouths:
+        _jet(out, mouth, strength, sea_depth, shape.cell_m, (high, low))
+    for which in range(len(shape.lines)):
+        _channel(out, which, shape, flow, strength, (high, low))
+    painted = shape.packed[..., 1] * (shape.owner == PAINTED)  # no way leads there
+    out.swell, out.chop = out.swell * (1 - painted), out.chop * (1 - painted)
+    _by_hand(out, level, stride)
     return out
 
 
-def _jet(out: Shares, mouth: Mouth, sea_depth, cell_m: float, fronts) -> None:
+def _by_hand(out: Shares, level: Level, stride: int) -> None:
+    """Painted −1 … 1: less of the waves down to none, or more of them up to those of the open sea."""
+    layer = level.layers["mouth"]
+    if layer.neutral:
+        return
+    paint = layer.read(level.grid.rect)[::stride, ::stride]
+    less, more = 1 + np.minimum(paint, 0), np.maximum(paint, 0)
+    for name in ("swell", "chop"):
+        share = getattr(out, name) * less
+        setattr(out, name, share + (np.maximum(share, 1) - share) * more)
+    out.white = out.white * less * (1 - more)
+
+
+def _jet(out: Shares, mouth: Mouth, strength: float, sea_depth, cell_m: float, fronts) -> None:
     wide = 4.0 * (mouth.half_m + SPREAD * mouth.reach_m) + 4 * cell_m
     ends = np.array([[mouth.x, mouth.y], [mouth.x + mouth.east * mouth.reach_m, mouth.y + mouth.north * mouth.reach_m]])
     low = np.floor((ends.min(0) - wide) / cell_m).astype(int)
@@ -180,10 +140,10 @@ def _jet(out: Shares, mouth: Mouth, sea_depth, cell_m: float, fronts) -> None:
     y, x = np.mgrid[rows, cols] * cell_m
     if not x.size:
         return
-    speed = mouth.speed(x, y, cell_m)
+    speed = strength * mouth.speed(x, y, cell_m)
     ahead, _ = mouth.off(x, y)
-    up = 1 - _smooth(0.0, 2 * TURNS_IN * mouth.half_m, ahead)
-    depth = np.maximum(sea_depth[rows, cols], 0.3)
+    up = 1 - smooth(0.0, 2 * TURNS_IN * mouth.half_m, ahead)
+    depth = np.maximum(sea_depth[rows, cols], mouth.depth_m)  # waves come in by the deepest way
     felt = speed > 0
     for name, group in zip(("chop", "swell"), fronts, strict=True):
         one = _group(group, depth, speed * mouth.east, speed * mouth.north, up, speed)
@@ -192,7 +152,7 @@ def _jet(out: Shares, mouth: Mouth, sea_depth, cell_m: float, fronts) -> None:
             out.white[rows, cols] = np.maximum(out.white[rows, cols], np.where(felt, one.white, 0))
 
 
-def _channel(out: Shares, which: int, shape: RiverMap, flow: RiverFlow, strength: float, mouth, fronts) -> None:
+def _channel(out: Shares, which: int, shape: RiverMap, flow: RiverFlow, strength: float, fronts) -> None:
     """Up the river: waves that were stopped on the way don't come farther up."""
     own = (shape.owner == which) & (shape.packed[..., 1] > 0)
     line = shape.lines[which]
@@ -203,7 +163,7 @@ def _channel(out: Shares, which: int, shape: RiverMap, flow: RiverFlow, strength
     if line.mouth < len(line.x):
         speed, depth = _along(line, shape, flow)
         up = (line.along_m[line.mouth - 1] - line.along_m[: line.mouth]) / (2 * TIDAL * line.half_m[line.mouth - 1])
-        dies = 1 - _smooth(0.0, 1.0, up)
+        dies = 1 - smooth(0.0, 1.0, up)
         for name, group in zip(("chop", "swell"), fronts, strict=True):
             one = _group(group, depth, 0.0, 0.0, 1.0, speed * strength)
             through = np.minimum.accumulate(one.through[::-1])[::-1]  # from the sea
@@ -243,7 +203,10 @@ def with_waves(level: Level) -> RiverMap | None:
     sea = tuple(getattr(settings.sea, name) for name in ("swell_m", "swell_length_m", "swell_heading_deg", "chop_m",
                                                          "chop_length_m", "variance"))  # fmt: skip
     key = (shape.key, flow.key, sea, settings.level.seed, settings.flow.rivers)
+    key += (level.layer_revision("mouth"),)
     have = level.derived.get("river_map")
+    if have is not None and level.live and have.key[0] == shape.key:
+        return have  # till the stroke ends
     if have is None or have.key != key:
         found = shares(level, shape, flow)
         packed = shape.packed.copy()

@@ -63,6 +63,15 @@ def river_at(level: Level, t, x, y) -> River | None:
     return River(rise, at["swell"] * runs, at["chop"] * runs, at["share"].v, still, at["white"].v * runs.v)
 
 
+def still_water_m(level: Level, x, y) -> np.ndarray:
+    """Height of the water without waves at world points: the sea's at its mean level, or a river's over it."""
+    made = river_map(level)
+    if made is None:
+        return np.full(np.shape(x), level.mean_sea_m)
+    at = made.at(x, y)
+    return level.mean_sea_m + (at["share"] * over_sea(at["stage"])).v
+
+
 def _waves(level: Level, t, along: Dual, rough: np.ndarray) -> Dual:
     look = level.settings.river
     height, slope = 0.0, 0.0
