@@ -10,7 +10,6 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
-from scipy import ndimage
 
 from .dual import Dual, step
 from .spline import second_order, spline_weights
@@ -190,10 +189,12 @@ class ArrivalMap:
 
 
 def _resized(values: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
-    """A map `(rows, cols, channels)` at as many samples as another has, over the same ground."""
-    if values.shape[:2] == shape:
-        return values
-    row, col = (np.linspace(0, had - 1, has) for had, has in zip(values.shape[:2], shape, strict=True))
-    at = np.meshgrid(row, col, indexing="ij")
-    channels = [ndimage.map_coordinates(values[..., i], at, order=1) for i in range(values.shape[2])]
-    return np.stack(channels, axis=-1)
+    """A map `(rows, cols, channels)` at as many samples as another has, over the same ground: bilinear, float32."""
+    for axis, (had, has) in enumerate(zip(values.shape[:2], shape, strict=True)):
+        if had != has:
+            at = np.linspace(0, had - 1, has)
+            first = np.minimum(at.astype(int), had - 2)
+            part = (at - first).astype(np.float32).reshape((-1, 1, 1) if axis == 0 else (1, -1, 1))
+            low = values.take(first, axis)
+            values = low + (values.take(first + 1, axis) - low) * part
+    return values.astype(np.float32, copy=False)

@@ -102,7 +102,7 @@ class TideMaps:
         tall, kept = self._tall[slot], self._joined
         key = (id(made), id(tall))
         if key not in kept:
-            kept[key] = (made, tall), made.with_rest_of(tall)
+            kept[key] = (made, tall), made.with_rest(tall.rest_at(made.shape))
         return kept[key][1]
 
 

@@ -22,6 +22,7 @@ from .meshes import mesh_of
 from .objects import Prop
 from .patches import removed
 from .pick import ground_at
+from .river_water import still_water_m
 from .waves import sea_at, surface_at
 
 ACROSS, ALONG = 3, 5  # points under a hull
@@ -93,7 +94,9 @@ def _afloat(level: Level, t: float, props: list[Prop], force: ForceField | None)
     hulls = np.stack([hull_points(level, prop) for prop in props])
     headings = np.radians([prop.yaw_deg for prop in props])
     world = moored[:, None] + _turned_flat(hulls, headings)
-    free = np.clip(level.sea_level_m - ground_at(level, *np.moveaxis(world, -1, 0)) - drafts[:, None], 0, None)
+    places = np.moveaxis(world, -1, 0)
+    water = still_water_m(level, *places) + level.tide_m
+    free = np.clip(water - ground_at(level, *places) - drafts[:, None], 0, None)
     free = np.clip(free / np.maximum(0.5 * drafts[:, None], 0.05), 0, 1).mean(axis=1)  # none is left on the ground
     shift, turn = _carried(level, t, moored, hulls, headings)
     moored, headings = moored + shift * free[:, None], headings + turn * free

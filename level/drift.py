@@ -16,6 +16,8 @@ from .flow import Current, current
 from .level import Level
 from .objects import Prop
 from .pick import ground_at
+from .river_map import river_map
+from .river_water import still_water_m
 from .weather_keys import points_change, whole_keys
 
 STEP_S = 0.5
@@ -35,6 +37,7 @@ def drifted(level: Level, prop: Prop, t: float, draft_m: float) -> tuple[float, 
     drag, water = level.settings.things.drag, current(level)
     key = (prop.x, prop.y, drag, draft_m, water.key, level.layer_revision("height"), level.mean_sea_m)
     key += ((whole_keys(level) if water.to_points is not None else ()),)
+    key += () if (rivers := river_map(level)) is None else (rivers.key,)
     paths = level.derived.setdefault("drift", {})
     path = paths.get(prop.id)
     if path is None or (path.key != key and not (level.live and path.key[:3] == key[:3])):
@@ -60,6 +63,7 @@ def _moved(level: Level, water: Current, state: tuple, begun_s: float, dt: float
         speed[i] = float(flow) + over * left
     east, north = x + ways[0], y + ways[1]
     inside = 0 <= east <= level.grid.extent_m[0] and 0 <= north <= level.grid.extent_m[1]
-    if not inside or float(ground_at(level, np.array(east), np.array(north))) + draft_m > level.mean_sea_m:
+    place = np.array(east), np.array(north)
+    if not inside or float(ground_at(level, *place)) + draft_m > float(still_water_m(level, *place)):
         return x, y, 0.0, 0.0  # aground
     return east, north, *speed

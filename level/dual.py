@@ -50,3 +50,9 @@ def positive(x: Dual) -> Dual:
     """max(x, 0)."""
     keep = x.v > 0
     return Dual(np.where(keep, x.v, 0.0), np.where(keep, x.dx, 0.0), np.where(keep, x.dy, 0.0))
+
+
+def at_most(most: float, x: Dual) -> Dual:
+    """min(x, most)."""
+    keep = x.v < most
+    return Dual(np.where(keep, x.v, most), np.where(keep, x.dx, 0.0), np.where(keep, x.dy, 0.0))

@@ -1,4 +1,4 @@
-"""The current that carries foam and floating things (D05, D06): what follows from the coast, flow points, and paint.
+"""The current that carries foam and floating things (D05, D06): the coast, flow points, rivers, and paint.
 
 current(level).at(x, y) -> east, north in m/s
 
@@ -17,6 +17,8 @@ from scipy import ndimage
 from .level import Level
 from .objects import FlowPoint
 from .request import Request
+from .river_flow import RiverFlow, river_flow
+from .river_jet import Mouth
 from .settings import Flow
 from .shore_field import ShoreField, decode_direction, shore_field
 
@@ -24,6 +26,7 @@ MOST_SIDE = 513  # samples a side: a current is broad
 SMOOTH_M = 6.0  # the way to the shore turns over this length, or it would show the rays of its distance field
 CALM_M = 2.0  # beside the shoreline the current dies out over this
 FADE = 0.5  # share of the shore field's range over which the current to the shore dies out
+FAR_M = 200.0  # in a river the shore counts as so far: it throws no foam there (D13)
 POINT_EDGE = 0.5  # share of a flow point's radius up to which it is whole
 
 
@@ -64,19 +67,20 @@ def current(level: Level) -> Current:
     have = level.derived.get("current")
     if have is not None and level.live:
         return have
-    field = shore_field(level)
+    field, rivers = shore_field(level), river_flow(level)
     if have is not None and field.behind:
         return have
     points = tuple(sorted((o for o in level.objects.values() if isinstance(o, FlowPoint)), key=lambda o: o.id))
     flow, quiet = (level.layer_revision(name) for name in ("flow", "quiet"))
     settings = level.settings
     key = (id(field), field.revision, flow, quiet, points, settings.flow, settings.quiet.flow)
+    key += () if rivers is None else (rivers.key,)
     if have is not None and have.key == key:
         return have
     if have is None or level.solver is None:
-        made = _request(level, field, points).answered()
+        made = _request(level, field, points, rivers).answered()
     else:
-        made = level.solver.beside("current", key, lambda: _request(level, field, points))
+        made = level.solver.beside("current", key, lambda: _request(level, field, points, rivers))
         if made is None:
             return have  # till the new one has come
     have = level.derived["current"] = replace(made, key=key)
@@ -85,7 +89,7 @@ def current(level: Level) -> Current:
 
 @dataclass(frozen=True)
 class CurrentRequest(Request[Current]):
-    """All that a current follows from: the shore field at its samples, paint, points, settings."""
+    """All that a current follows from: the shore field at its samples, paint, points, rivers, settings."""
 
     distance_m: np.ndarray
     way: np.ndarray  # uint8 `(rows, cols, 2)`, as packed
@@ -96,9 +100,11 @@ class CurrentRequest(Request[Current]):
     points: tuple
     settings: Flow
     held: float  # by quiet
+    river: np.ndarray  # float32 `(rows, cols, 3)`: east, north m/s, share of its water; one sample where there is none
+    mouths: tuple[Mouth, ...]
 
     def kept(self) -> CurrentRequest:
-        arrays = {name: np.array(getattr(self, name)) for name in ("distance_m", "way", "quiet", "painted")}
+        arrays = {name: np.array(getattr(self, name)) for name in ("distance_m", "way", "quiet", "painted", "river")}
         return replace(self, **arrays)
 
     @property
@@ -110,7 +116,7 @@ class CurrentRequest(Request[Current]):
         y, x = np.mgrid[0:rows, 0:cols] * self.cell_m
         distance, to_shore = self._shore()
         packed = np.zeros((rows, cols, 4), np.float32)
-        packed[..., 2], packed[..., 3] = self.quiet, distance
+        packed[..., 2], packed[..., 3] = self.quiet, distance + self.river[..., 2] * (FAR_M - distance)
         to_points = None
         if self.settings.on:
             wet = np.clip(distance / CALM_M, 0, 1)
@@ -118,12 +124,22 @@ class CurrentRequest(Request[Current]):
             free = (1 - self.held * self.quiet)[..., None]
             flow, pull = to_shore * self.settings.shore_mps, _to_points(self.points, x, y)
             flow += pull * self.settings.points
-            flow *= wet
+            own = self.river[..., 2:]  # in a river it is the river's
+            flow *= wet * (1 - own)
+            runs = self._jets(x, y) * np.maximum(wet, own) * (1 - own) + own * self.river[..., :2]
+            flow += self.settings.rivers * runs
             if self.points:
-                to_points = (pull * wet * free).astype(np.float32)
+                to_points = (pull * wet * (1 - own) * free).astype(np.float32)
             flow += self.painted * self.settings.painted
             packed[..., :2] = flow * free
         return Current(packed, self.cell_m, (), to_points)
+
+    def _jets(self, x, y) -> np.ndarray:
+        """What rivers drive on out at sea: velocities add up, `(rows, cols, 2)` m/s (D35)."""
+        total = np.zeros((*x.shape, 2))
+        for mouth in self.mouths:
+            total += mouth.speed(x, y, self.cell_m)[..., None] * (mouth.east, mouth.north)
+        return total
 
     def _shore(self) -> tuple[np.ndarray, np.ndarray]:
         """Metres to the shoreline (+ sea) `(rows, cols)`, the smoothed way there `(rows, cols, 2)`: zero on land."""
@@ -137,7 +153,7 @@ class CurrentRequest(Request[Current]):
         return distance, way / np.maximum(share, 0.2)[..., None]
 
 
-def _request(level: Level, field: ShoreField, points: tuple) -> CurrentRequest:
+def _request(level: Level, field: ShoreField, points: tuple, rivers: RiverFlow | None) -> CurrentRequest:
     settings, grid = level.settings, level.grid
     stride = max(1, math.ceil((max(grid.shape) - 1) / (MOST_SIDE - 1)))
     quiet, painted = (level.layers[name].read(grid.rect)[::stride, ::stride] for name in ("quiet", "flow"))
@@ -146,9 +162,13 @@ def _request(level: Level, field: ShoreField, points: tuple) -> CurrentRequest:
         np.clip(np.rint(np.arange(n) * cell_m / field.cell_m).astype(int), 0, most - 1)
         for n, most in zip(quiet.shape, field.distance_m.shape)
     ))  # fmt: skip
+    river, ends = np.zeros((1, 1, 3), np.float32), ()
+    if rivers is not None:
+        river = rivers.on(quiet.shape, cell_m)
+        ends = rivers.mouths
     return CurrentRequest(
         field.distance_m[at], field.packed[at][..., 1:3], field.range_m, quiet, painted, cell_m, points, settings.flow,
-        settings.quiet.flow,
+        settings.quiet.flow, river, ends,
     )  # fmt: skip
 
 

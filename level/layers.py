@@ -70,6 +70,14 @@ LAYERS: dict[str, Layer] = {
         ),
         Layer("river_mask", "River mask", ("mask",), "", "Where that water is."),
         Layer("river_foam", "River foam", ("stagnant", "turbulent"), "", "Painted foam on rivers."),
+        Layer(
+            "mouth",
+            "Waves in rivers",
+            ("waves",),
+            "",
+            "Waves of the sea that come into rivers and their mouths, −1 none, 1 all of them.",
+            low=-1.0,
+        ),
         Layer("cover", "Cover", ("sand", "rock", "grass", "always_wet"), "", "Ground painted over the rules."),
         Layer(
             "scatter",

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .dual import Dual, positive, step
+from .dual import Dual, step
 from .level import Level
 from .loop import GRAVITY, looped
 from .river_map import DROWNED_M, JOIN_M, river_map
@@ -17,12 +17,17 @@ TRAINS = ((0.6, 1.0, 1.0), (0.4, 1.618034, 1.272020))  # share of the height, cy
 
 @dataclass
 class River:
-    """`rise` over the still sea, `still` that without waves, and share of the sea's waves that comes there; duals."""
+    """`rise` over the still sea, `still` that without waves, and what comes there of the sea's swell and chop; duals.
+
+    `white` 0 … 1: how far the current has the chop break.
+    """
 
     rise: Dual
     waves: Dual
+    chop: Dual
     share: np.ndarray
     still: Dual
+    white: np.ndarray
 
 
 def over_sea(level: Dual) -> Dual:
@@ -53,9 +58,18 @@ def river_at(level: Level, t, x, y) -> River | None:
         return None
     at = made.at(x, y)
     still = at["share"] * over_sea(at["stage"] - level.tide_m)
-    rough = np.maximum(-at["waves"].v, 0) * at["share"].v
+    rise = still + _waves(level, t, at["along"], at["rough"].v * at["share"].v)
     runs = 1.0 - step(*DROWNED_M, still)
-    return River(still + _waves(level, t, at["along"], rough), positive(at["waves"]) * runs, at["share"].v, still)
+    return River(rise, at["swell"] * runs, at["chop"] * runs, at["share"].v, still, at["white"].v * runs.v)
+
+
+def still_water_m(level: Level, x, y) -> np.ndarray:
+    """Height of the water without waves at world points: the sea's at its mean level, or a river's over it."""
+    made = river_map(level)
+    if made is None:
+        return np.full(np.shape(x), level.mean_sea_m)
+    at = made.at(x, y)
+    return level.mean_sea_m + (at["share"] * over_sea(at["stage"])).v
 
 
 def _waves(level: Level, t, along: Dual, rough: np.ndarray) -> Dual:

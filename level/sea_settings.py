@@ -22,6 +22,8 @@ class Flow(Section):
     shore_mps: float = param(0.25, 0, 5, "m/s", "Current towards the shore, where nothing else is said.", soft=(0, 1))
     points: float = param(1.0, 0, 4, "×", "Strength of flow points.", soft=(0, 2))
     painted: float = param(1.0, 0, 4, "×", "Strength of the painted current.", soft=(0, 2))
+    rivers: float = param(1.0, 0, 4, "×", "Speed of rivers against that of their points, and of their jets at sea.",
+                          soft=(0, 2))  # fmt: skip
     interval_s: float = param(5.0, 0.3, 60, "s", "Time after which moving foam starts again, unseen.", soft=(1, 10))
     noise: float = param(0.7, 0, 2, "", "How differently in time places start again, in cycles.", soft=(0, 1))
     noise_m: float = param(14.0, 1, 500, "m", "Size of that difference.", soft=(5, 40))

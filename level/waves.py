@@ -14,7 +14,7 @@ from .arrival import arrival, arrival_uniforms, shore_at
 from .arrival_map import ArrivalMap
 from .beach_map import NO_BEACH_M, beach_map
 from .breaking import BREAK_S, break_rate, breaking_uniforms, feels_from, overhang_m
-from .dual import Dual, step
+from .dual import Dual, at_most, step
 from .force import ForceField
 from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, through, travel
 from .level import Level
@@ -23,7 +23,7 @@ from .noise import lattice
 from .outline import region_weight
 from .patches import beach_contact, overrides, patch_shore, patch_uniforms
 from .pins import later, pin_uniforms, pinned
-from .river_map import has_rivers
+from .river_map import has_rivers, river_map
 from .river_water import River, river_at, river_uniforms
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
@@ -69,13 +69,15 @@ def _offshore(
     level: Level, shore: ShoreMap, fronts: list[Fronts], made: ArrivalMap | None, t: float, x, y
 ) -> tuple[Deformed, Dual]:
     bed = shore.at(x, y, level.tide_m)
-    weight = _weight(level, bed)
+    weight = chop = _weight(level, bed)
     if has_rivers(level):
-        weight = weight * river_at(level, t, x, y).waves
+        river = river_at(level, t, x, y)
+        weight, chop = weight * river.waves, weight * river.chop
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
     for which, group in zip((HIGH, LOW)[-len(fronts) :], fronts, strict=True):
         added = objects_shift(level, which, t, point.x, point.y, x, y, bed)  # of the same base as the group (H06)
-        point = shifted(point, _group_shift(level, group, point, t, x, y, made if which == LOW else None), weight)
+        moved = _group_shift(level, group, point, t, x, y, made if which == LOW else None)
+        point = shifted(point, moved, weight if which == LOW else chop)
         point = shifted(point, added, Dual(1.0))
     return point, weight
 
@@ -145,7 +147,7 @@ def _shore_waves(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap 
         shore_at(level, t), t, bed, x, y, sway, values, loop_s, way, late * (1 - share), steep
     )  # fmt: skip
     river = river_at(level, t, x, y)
-    return _Shore(bed, sand, masks if river is None else masks.faded(river.waves), river)
+    return _Shore(bed, sand, masks if river is None else masks.faded(at_most(1.0, river.waves)), river)
 
 
 def _normal(point: Deformed, slope_x: np.ndarray, slope_y: np.ndarray) -> np.ndarray:
@@ -185,7 +187,7 @@ def surface_at(
     return SeaSample(
         point.x.v, point.y.v, level.sea_level_m + point.z.v + lift.v - held * sheet,
         _normal(point, slope_x, slope_y), x, y,
-        weight.v, masks, bed["depth"].v, bed["clock"].v, sheet,
+        np.minimum(weight.v, 1.0), masks, bed["depth"].v, bed["clock"].v, sheet,
     )  # fmt: skip
 
 
@@ -254,6 +256,8 @@ def sea_height_m(level: Level) -> float:
 def largest_height_m(level: Level) -> float:
     """The largest height the wave sum can reach over the still sea anywhere."""
     offshore = largest_amplitude_m(level) * most_amplitude(level)
+    if (rivers := river_map(level)) is not None:
+        offshore *= rivers.most_gain
     return max(sea_height_m(level), offshore) + most_height_m(level)
 
 

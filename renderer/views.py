@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from ..level import LAYERS, BadInput
 from .cloud_views import CLOUD_VIEWS
+from .mouth_views import MOUTH_VIEWS
 from .view_row import RAMPS as RAMPS
 from .view_row import View
 
@@ -219,6 +220,7 @@ VIEWS: dict[str, View] = {
              "tide_band(ground_sample(below), below, s.eye_depth * u_pixel_angle)", "direct", ids="D31"),
         View("walkable", "Walkable", "Green where the player can go, red beyond.",
              "walkable > 0.5 ? vec3(0.1, 0.7, 0.2) : vec3(0.8, 0.1, 0.1)", "direct", ids="D31"),
+        *MOUTH_VIEWS,
         *CLOUD_VIEWS,
         *(_layer_view(row) for row in LAYERS.values()),
     )

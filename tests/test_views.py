@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from shorewright.level import LAYERS, BadInput, Grid, Level, Rect
 from shorewright.level.meshes import block
-from shorewright.level.objects import Camera, Disturbance, Hit, Mover, PointLight, Prop
+from shorewright.level.objects import Camera, Disturbance, Hit, Mover, PointLight, Prop, River
 from shorewright.renderer import SHOW_FLAGS, VIEWS, Overlays, Renderer, Ring, Show, render
 from shorewright.renderer.show import FrontLines
 
@@ -35,6 +35,8 @@ def small_coast():
     ):
         level.put_object(thing.id, thing)
     level.put_mesh("block", block())
+    fall = ((0, 0, 10, 4.6, 3), (-6, -9, 10, 4.5, 3), (-7, -13, 10, 1.2, 3), (-8, -40, 10, 0, 0.05))
+    level.put_object("river", River(id="river", x=66, y=104, points=fall))
     level.set("weather.precipitation", 0.6)  # for the views alone: there are no clouds
     level.set("weather.temperature_c", 1.0)
     level.set("foam.height_low", -0.5)  # foam on all offshore waves: those of so small a sea are low

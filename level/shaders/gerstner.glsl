@@ -112,11 +112,12 @@ Deformed gerstner_group(Deformed point, int first, int end, vec3 weight, vec2 be
     return moved;
 }
 
-Deformed gerstner(vec2 before, vec3 weight) {
+// With weights of swell and chop.
+Deformed gerstner(vec2 before, vec3 swell, vec3 chop) {
     Deformed point = Deformed(vec3(before.x, 1.0, 0.0), vec3(before.y, 0.0, 1.0), vec3(0.0));
 #ifdef NO_GERSTNER
     return point;
 #endif
-    point = gerstner_group(point, 0, HIGH_FRONTS, weight * chop_share, before);
-    return gerstner_group(point, HIGH_FRONTS, FRONTS, weight, before);
+    point = gerstner_group(point, 0, HIGH_FRONTS, chop * chop_share, before);
+    return gerstner_group(point, HIGH_FRONTS, FRONTS, swell, before);
 }

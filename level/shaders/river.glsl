@@ -10,11 +10,13 @@ const vec2 RIVER_DROWNED_M = vec2(0.02, 0.5);
 
 struct River {
     vec3 rise;   // duals: how far the water stands over the sea, m, its own waves included
-    vec3 waves;  // share of the sea's waves that comes there
+    vec3 waves;  // what comes there of the sea's swell, × amplitude
+    vec3 chop;   // and of its chop
     float share; // of a place that is its own water, 0 … 1
     float still; // rise without waves
     float rough; // 0 … 1
     float along; // metres down its way
+    float white; // how far the current has the chop break, 0 … 1 (D35)
 };
 
 // The higher of a level and the sea (0), rounded off within RIVER_JOIN_M of it.
@@ -30,6 +32,12 @@ vec3 river_waves(vec3 along, float rough) {
     return vec3(dot(height, sin(phase)), (slope.x + slope.y) * along.yz);
 }
 
+// Swell, chop, white, rough of a sample: code_of_waves in Python.
+vec4 waves_of_code(float code) {
+    float waves = max(code, 0.0), above = floor(waves / 512.0), white = floor(above / 512.0);
+    return vec4((waves - above * 512.0) / 255.0, (above - white * 512.0) / 255.0, white / 63.0, max(-code, 0.0));
+}
+
 River river_at(vec2 xy) {
     ivec2 size = bed_size();
     vec2 at = xy / u_bed_cell_m;
@@ -39,13 +47,18 @@ River river_at(vec2 xy) {
     ivec2 cell = ivec2(base) + ivec2(0, size.y);
     vec4 v00 = texelFetch(u_bed, cell, 0), v10 = texelFetch(u_bed, cell + ivec2(1, 0), 0);
     vec4 v01 = texelFetch(u_bed, cell + ivec2(0, 1), 0), v11 = texelFetch(u_bed, cell + ivec2(1, 1), 0);
-    vec4 v = mix(mix(v00, v10, f.x), mix(v01, v11, f.x), f.y);
-    vec4 dx = mix(v10 - v00, v11 - v01, f.y) / u_bed_cell_m * float(at.x == inside.x);
-    vec4 dy = mix(v01 - v00, v11 - v10, f.x) / u_bed_cell_m * float(at.y == inside.y);
+    vec3 v = mix(mix(v00.xyz, v10.xyz, f.x), mix(v01.xyz, v11.xyz, f.x), f.y);
+    vec2 within = vec2(equal(at, inside)) / u_bed_cell_m;
+    vec3 dx = mix(v10.xyz - v00.xyz, v11.xyz - v01.xyz, f.y) * within.x;
+    vec3 dy = mix(v01.xyz - v00.xyz, v11.xyz - v10.xyz, f.x) * within.y;
+    vec4 w00 = waves_of_code(v00.w), w10 = waves_of_code(v10.w), w01 = waves_of_code(v01.w), w11 = waves_of_code(v11.w);
+    vec4 w = mix(mix(w00, w10, f.x), mix(w01, w11, f.x), f.y);
+    vec2 w_dx = mix(w10.xy - w00.xy, w11.xy - w01.xy, f.y) * within.x;
+    vec2 w_dy = mix(w01.xy - w00.xy, w11.xy - w10.xy, f.x) * within.y;
     vec3 share = vec3(v.y, dx.y, dy.y), along = vec3(v.z, dx.z, dy.z);
     vec3 still = d_mul(share, over_sea(vec3(v.x - u_tide_m, dx.x, dy.x)));
-    float rough = max(-v.w, 0.0) * v.y;
+    float rough = w.w * v.y;
     vec3 runs = d_const(1.0) - d_step(RIVER_DROWNED_M.x, RIVER_DROWNED_M.y, still);
-    vec3 waves = d_mul(d_positive(vec3(v.w, dx.w, dy.w)), runs);
-    return River(still + river_waves(along, rough), waves, v.y, still.x, rough, v.z);
+    vec3 swell = d_mul(vec3(w.x, w_dx.x, w_dy.x), runs), chop = d_mul(vec3(w.y, w_dx.y, w_dy.y), runs);
+    return River(still + river_waves(along, rough), swell, chop, v.y, still.x, rough, v.z, w.z * runs.x);
 }

@@ -35,8 +35,9 @@ vec3 deep_weight(Bed bed) {
 float beach_under(Bed bed, Beach beach) { return u_shore_slide > 0.0 && bed.sea.x > 0.0 ? beach.sand.x - u_tide_m : NO_BEACH_M; }
 
 #ifdef RIVERS
-// What a river leaves of a shore wave.
+// What a river leaves of a shore wave; it makes it no higher.
 void fade_shore(inout ShoreMasks shore, vec3 waves) {
+    waves = waves.x > 1.0 ? d_const(1.0) : waves;
     shore.lift = d_mul(shore.lift, waves);
     shore.line *= waves.x;
     shore.back *= waves.x;
@@ -50,15 +51,17 @@ void fade_shore(inout ShoreMasks shore, vec3 waves) {
 
 Sea sea_surface(vec2 before) {
     Bed start = bed_at(before);
-    vec3 weight = deep_weight(start);
+    vec3 weight = deep_weight(start), chop = weight;
 #ifdef RIVERS
-    weight = d_mul(weight, river_at(before).waves);
+    River there = river_at(before);
+    chop = d_mul(weight, there.chop);
+    weight = d_mul(weight, there.waves);
 #endif
 #ifdef WAVE_OBJECTS
     objects_depth = start.smoothed;
     objects_sea = start.sea * u_sea_on;
 #endif
-    Deformed p = gerstner(before, weight);
+    Deformed p = gerstner(before, weight, chop);
     vec2 after = vec2(p.x.x, p.y.x);
     Bed bed = bed_at(after);
     bed.within = d_mul(bed.within, patch_shore(after));
@@ -88,7 +91,7 @@ Sea sea_surface(vec2 before) {
 #endif
     vec3 normal = normalize(cross(vec3(p.x.y, p.y.y, slope.x), vec3(p.x.z, p.y.z, slope.y)));
     return Sea(vec3(after, u_sea_level_m + rise - held * sheet), normal, before,
-               clamp((rise - still) / u_wave_height_m, -1.0, 1.0), weight.x, shore, bed, sheet, still
+               clamp((rise - still) / u_wave_height_m, -1.0, 1.0), min(weight.x, 1.0), shore, bed, sheet, still
 #ifdef RIVERS
                , river
 #endif

@@ -1,0 +1,53 @@
+"""The jet with which a river goes on out at sea (D35).
+
+A core of CORE widths in which its middle keeps the river's speed, then 1 / √distance; the half width, where it has half
+of that, grows by SPREAD a metre; a Gaussian across (plane turbulent jet, Albertson et al. 1950).
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from .river_line import SPREAD
+
+CORE = 5.2  # widths
+
+
+@dataclass(frozen=True)
+class Mouth:
+    """Place, unit heading, speed, half width and depth of a river where it comes to the sea; felt to `reach_m`."""
+
+    x: float
+    y: float
+    east: float
+    north: float
+    speed_mps: float
+    half_m: float
+    depth_m: float
+    reach_m: float
+
+    def off(self, x, y) -> tuple[np.ndarray, np.ndarray]:
+        """Metres ahead of it, and to its left."""
+        dx, dy = np.asarray(x, np.float64) - self.x, np.asarray(y, np.float64) - self.y
+        return dx * self.east + dy * self.north, dy * self.east - dx * self.north
+
+    def speed(self, x, y, cell_m: float) -> np.ndarray:
+        """Of the jet along its heading, m/s at world points, smooth on cells of that size; exactly 0 where none is."""
+        ahead, across = self.off(x, y)
+        core = 2 * CORE * self.half_m
+        far = np.maximum(ahead, 0.0)
+        flat = self.half_m * np.maximum(1 - far / core, 0)
+        wide = np.maximum((self.half_m + SPREAD * far - flat) / math.sqrt(math.log(2)), 1.5 * cell_m)
+        over = np.maximum(np.abs(across) - flat, 0) / wide
+        profile = np.maximum(np.exp(-over * over) - 0.002, 0) / 0.998
+        known = smooth(-2 * cell_m, 0.0, ahead) * (1 - smooth(0.5 * self.reach_m, self.reach_m, ahead))
+        return self.speed_mps * np.sqrt(core / np.maximum(far, core)) * profile * known
+
+
+def smooth(low: float, high: float, x) -> np.ndarray:
+    """Smoothstep."""
+    u = np.clip((x - low) / (high - low), 0, 1)
+    return u * u * (3 - 2 * u)
