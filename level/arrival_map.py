@@ -109,7 +109,7 @@ class ArrivalMap:
 
     def rest_at(self, shape: tuple[int, int]) -> np.ndarray:
         """Heights and how waves break at as many samples as another map of the same ground has, one over the other."""
-        return np.concatenate([_resized(self.block(which), shape) for which in (HEIGHTS, BREAKS)]).astype(np.float32)
+        return np.concatenate([resized(self.block(which), shape) for which in (HEIGHTS, BREAKS)]).astype(np.float32)
 
     def with_rest(self, rest: np.ndarray) -> ArrivalMap:
         """These times with the heights and the rest of another map."""
@@ -188,7 +188,7 @@ class ArrivalMap:
         return Dual(sums[0], sums[1] / self.cell_m, sums[2] / self.cell_m)
 
 
-def _resized(values: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
+def resized(values: np.ndarray, shape: tuple[int, int]) -> np.ndarray:
     """A map `(rows, cols, channels)` at as many samples as another has, over the same ground: bilinear, float32."""
     for axis, (had, has) in enumerate(zip(values.shape[:2], shape, strict=True)):
         if had != has:

@@ -5,10 +5,11 @@ import time
 import numpy as np
 import pytest
 from coasts import make_beach
-from shorewright.app.arrival_lender import ArrivalLender, resized
+from shorewright.app.arrival_lender import ArrivalLender
 from shorewright.app.shared_maps import bytes_of
 from shorewright.level import Journal, Rect
 from shorewright.level.arrival import arrival, asked_of
+from shorewright.level.arrival_map import resized
 from shorewright.level.beach_map import beach_map
 from shorewright.level.flow import current
 from shorewright.level.shaping_request import shape_request
