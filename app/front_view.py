@@ -14,6 +14,7 @@ import numpy as np
 from ..level.crests import Line, isochrones
 from ..level.hot_spots import HotSpot, hot_spots
 from ..level.next_crest import NextCrest, next_crest
+from ..level.tide import tide_m
 from ..level.timing import front_speed_mps, period_s
 from ..renderer.show import FrontLines
 from .session import Session
@@ -21,6 +22,7 @@ from .session import Session
 UNITS = ("seconds", "period / 10", "periods")
 LAYERS = ("crests", "isochrones", "speed", "breakers")
 QUIET_S = 0.5  # the level stands still for so long before lists and labels are made anew
+TIDE_M = 0.25  # so far the sea rises or falls before they are made anew
 READ_S = 0.15  # between two readings under the pointer
 
 
@@ -97,12 +99,12 @@ class FrontView:
         return self._when_quiet("hot_spots", session, None, lambda: hot_spots(*_now(session)))
 
     def _when_quiet(self, name: str, session: Session, more: Any, work) -> list:
-        """A list that is made anew when the level changed and then stood still; till then the one before."""
+        """A list made anew when the level changed and then stood still, or with the tide; till then the one before."""
         state = (id(session.level), session.level.revision, self.updating)
         now = time.monotonic()
         if self._seen[0] != state:
             self._seen = state, now
-        key = (*state, more)
+        key = (*state, more, round(tide_m(session.level.settings, session.clock.time_s) / TIDE_M))
         known = self._kept.get(name)
         quiet = session.stroke is None and now - self._seen[1] > QUIET_S
         if (known is None or known[0] != key) and (quiet or known is None) and session.stroke is None:

@@ -169,3 +169,31 @@ def test_a_front_is_shaped_as_it_stands_at_the_tide(source):
 def test_nothing_is_asked_for_many_tides_at_once():
     """T06: crests of a whole minute must not make a process solve for ever."""
     assert TideMaps().latest(0.3) is None
+
+
+def test_under_the_brush_both_levels_follow_and_heights_stay():
+    """T14, T06: coarse times of the two seas come, with the heights of the last whole maps."""
+    level = tidal()
+    t = moment_of(level, 0.27)
+    lender = level.solver = ArrivalLender()
+
+    def waited(until):
+        end = time.monotonic() + 60
+        while (made := arrival(level, t)) is None or not until(made):
+            assert time.monotonic() < end
+            lender.look()
+            time.sleep(0.01)
+        return made
+
+    try:
+        whole = waited(lambda made: made.settled)
+        level.live = True
+        level.set("timing.least_depth_m", 1.0)
+        made = waited(lambda made: not np.array_equal(made.block(0), whole.block(0)))
+        assert not made.settled
+        assert len(made.above) == 1
+        assert made.rise == whole.rise
+        for which in (1, 2):
+            assert made.block(which) == pytest.approx(whole.block(which), abs=1e-5)
+    finally:
+        lender.close()

@@ -215,7 +215,7 @@ def _shape(editor: Editor, region: Placed) -> None:
     told = f"{count} points: drag them, or the dots between." if count else "A circle."
     imgui.text_colored(theme.colour(theme.INK_FAINT), told)
     text, made = ("Circle", ()) if count else ("Outline", ring(RING_POINTS, region.radius_m))
-    if imgui.button(theme.titled("draw-polygon", text, "region_shape")):
+    if imgui.button(theme.titled("draw_polygon", text, "region_shape")):
         editor.attempt(editor.session.alter, region.id, {"outline": made})
     param_widgets.tooltip(
         "Back to the circle of its radius."
