@@ -42,6 +42,7 @@ class ArrivalLender:
         self._tall: ArrivalMap | None = None  # the last map that had heights
         self._others: np.ndarray | None = None  # its heights and breaks, at as many samples as were last wanted
         self._began_s = time.thread_time()  # the frame
+        self._impatient = False  # whether one that had waited long enough had its turn in this frame
         self._behind: dict[str, int] = {}  # works in parts that are not done: for how many frames each has waited
         self.made: ArrivalMap | None = None
         self.failure = ""  # why there is no newer one
@@ -88,7 +89,12 @@ class ArrivalLender:
     def _waits(self, name: str) -> bool:
         """Whether this frame has done so much that a work had better be left for the next."""
         waited = self._behind.setdefault(name, 0)
-        return waited < PATIENCE and time.thread_time() - self._began_s > BUSY_S
+        if time.thread_time() - self._began_s < BUSY_S:
+            return False
+        if waited < PATIENCE or self._impatient:
+            return True
+        self._impatient = True
+        return False
 
     def _ask(self, name: str, key: tuple, request: Request) -> None:
         self._asked[name] = key
@@ -109,7 +115,7 @@ class ArrivalLender:
 
     def look(self) -> bool:
         """Take in what has come, once a frame; True when that is something new, or something goes on in parts."""
-        self._began_s = time.thread_time()
+        self._began_s, self._impatient = time.thread_time(), False
         self._behind = {name: waited + 1 for name, waited in self._behind.items() if waited < GIVEN_UP}
         found = self._worker.poll()
         self._next()

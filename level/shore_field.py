@@ -27,7 +27,7 @@ CELL_M = 0.5  # 4 texels a m² (H10)
 MOST_SIDE = 2049  # texels a side
 BEACH_M = 2.0  # the slice is this much above and below the still sea
 BAND = 32  # rows packed at once
-MOST_WINDOW = 160  # mask cells a side of what is measured at once
+MOST_WINDOW = 112  # mask cells a side of what is measured at once
 STEEP_ENOUGH = 1e-3  # a distance that changes less along the ground, m/m, has no direction
 
 
@@ -168,6 +168,7 @@ def _update(level: Level, have: ShoreField, seeds: tuple, at: int) -> Iterator[N
     every = Rect(0, 0, *have.wet.shape)
     rects = [_coarse(rect, have.stride).intersect(every) for rect in level.changed_since("height", have.revision)]
     moved = yield from _shore_moved(level, have, seeds, rects)
+    yield
     reach, bare_reach = _reach(have) + 1, beach_reach(have.cell_m * have.times)
     shores = merge(rect.pad(reach).intersect(every) for rect in moved)
     beaches = merge(rect.pad(bare_reach).intersect(every) for rect in rects)
@@ -232,6 +233,7 @@ def _measure(level: Level, have: ShoreField, rect: Rect) -> Iterator[None]:
     sea = _finer_any(have.sea[window.slices], have.times) & (depth > 0)
     np.minimum(depth, 0, out=depth, where=~sea)  # what changed since the mask was made comes in the next update
     inner = _texels(rect.shifted(window), have.times)
+    yield
     cells = yield from distance_in_parts(depth, sea, math.ceil(have.range_m / have.cell_m), inner)
     metres = np.clip(cells * np.float32(have.cell_m), -have.range_m, have.range_m)
     have.distance_m[_texels(rect, have.times).slices] = metres

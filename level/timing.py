@@ -181,7 +181,8 @@ def timing_map(level: Level, t: float, most_side: int = MAP_SIDE) -> TimingMap:
     settings, made = clock.level.settings, clock.made
     tide_m = round(clock.level.tide_m, 2)
     sources = None if made is None else (made.settled, *map(id, made.sources))
-    key = (level.revision, clock.shore, settings.sea, settings.level, settings.timing, sources, tide_m, most_side)
+    changed = level.revision, beach_map(level).revision  # the beach may follow some frames later
+    key = (*changed, clock.shore, settings.sea, settings.level, settings.timing, sources, tide_m, most_side)
     kept: dict = level.derived.setdefault("timing_maps", {})
     if key not in kept:
         stride = max(1, -(-(max(level.grid.shape) - 1) // (most_side - 1)))
