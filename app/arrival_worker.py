@@ -19,15 +19,14 @@ from ..level.arrival import Asked
 from ..level.arrival_map import ArrivalMap
 from ..level.errors import BadInput
 from ..level.flow import Current, CurrentRequest
-from ..level.river_flow import RiverFlow, RiverFlowRequest
 from ..level.shaping import Shaped
 from ..level.shaping_request import ShapeRequest
 from ..level.shore import Bed, BedRequest
 from ..level.swell_request import SwellRequest, SwellResult
 from .shared_maps import Block, Maps, bytes_of, placed, restored
 
-Request = SwellRequest | Asked | ShapeRequest | BedRequest | CurrentRequest | RiverFlowRequest
-Answer = tuple[SwellResult, ...] | ArrivalMap | Shaped | Bed | Current | RiverFlow | BadInput | None
+Request = SwellRequest | Asked | ShapeRequest | BedRequest | CurrentRequest
+Answer = tuple[SwellResult, ...] | ArrivalMap | Shaped | Bed | Current | BadInput | None
 STOPPED = "The process that works beside the window stopped (exit code {code}); it starts anew with the next change."
 
 
