@@ -27,6 +27,7 @@ STEEPEST = 0.14  # of waves, height by length, × tanh k h (Miche)
 STOPS = (0.92, 1.08)  # of the speed that stops waves: all of them, none get through
 WHITE = (0.2, 0.5)  # (cg + U) / cg up to which they are white, at which they aren't
 TIDAL = 8.0  # widths up a quiet river over which waves die out on its banks and bed
+EVENS = 0.2  # lengths: over less, waves don't change their height along their crests; half a mouth at most
 TURNS_IN = 3.0  # widths before the mouth over which waves from all sides become waves up the river
 
 
@@ -168,15 +169,22 @@ def _by_hand(out: Shares, level: Level, shape: RiverMap) -> None:
 
 
 def _jet(around: _Around, mouth: Mouth, strength: float, fronts) -> None:
+    from scipy.ndimage import gaussian_filter
+
     y, x = np.mgrid[around.rows, around.cols] * around.cell_m
-    speed = strength * mouth.speed(x, y, around.cell_m)
+    speed = strength * mouth.speed(x, y, around.cell_m, 2 * mouth.half_m)
     felt = speed > 0
     speed, (ahead, _) = speed[felt], mouth.off(x[felt], y[felt])
     up = 1 - smooth(0.0, 2 * TURNS_IN * mouth.half_m, ahead)
     depth = np.maximum(around.sea_depth_m[felt], mouth.depth_m)  # waves come in by the deepest way
+    if not felt.any():
+        return
     for name, group in zip(("chop", "swell"), fronts, strict=True):
         one = _group(group, depth, speed * mouth.east, speed * mouth.north, up, speed)
-        getattr(around.out, name)[felt] *= one.gain * one.through
+        changes = np.zeros(felt.shape, np.float32)
+        changes[felt] = one.gain * one.through - 1
+        wide = min(EVENS * float(group.length_m.mean()), mouth.half_m) / around.cell_m
+        getattr(around.out, name)[:] *= 1 + gaussian_filter(changes, wide, mode="nearest", truncate=3)
         if name == "chop":
             around.out.white[felt] = np.maximum(around.out.white[felt], one.white)
 
@@ -195,9 +203,12 @@ def _channel(around: _Around, own: np.ndarray, line: Line, runs, strength: float
             if name == "chop":
                 laid["white"] = one.white * np.append(through[1:], through[-1]) * dies
     index, share = around.nearest[own], around.share[own]
+    goes = np.ones(line.mouth)
+    if line.mouth < len(line.x):  # over one width the jet at the mouth goes over into it
+        goes = smooth(0.0, 2 * line.half_m[line.mouth - 1], line.along_m[line.mouth - 1] - line.along_m[: line.mouth])
     for name, values in laid.items():
-        rest = 0.0 if name == "white" else 1.0
-        getattr(around.out, name)[own] = rest + (values[index] - rest) * share
+        rest, whole = 0.0 if name == "white" else 1.0, getattr(around.out, name)
+        whole[own] += (rest + (values[index] - rest) * share - whole[own]) * goes[index]
 
 
 def _along(line: Line, shape: RiverMap, flow: RiverFlow) -> tuple[np.ndarray, np.ndarray]:
