@@ -34,8 +34,11 @@ class Mouth:
         dx, dy = np.asarray(x, np.float64) - self.x, np.asarray(y, np.float64) - self.y
         return dx * self.east + dy * self.north, dy * self.east - dx * self.north
 
-    def speed(self, x, y, cell_m: float) -> np.ndarray:
-        """Of the jet along its heading, m/s at world points, smooth on cells of that size; exactly 0 where none is."""
+    def speed(self, x, y, cell_m: float, behind_m: float = 0.0) -> np.ndarray:
+        """Of the jet along its heading, m/s at world points, smooth on cells of that size; exactly 0 where none is.
+
+        Up to `behind_m` up the river it is as at the mouth.
+        """
         ahead, across = self.off(x, y)
         core = 2 * CORE * self.half_m
         far = np.maximum(ahead, 0.0)
@@ -43,7 +46,7 @@ class Mouth:
         wide = np.maximum((self.half_m + SPREAD * far - flat) / math.sqrt(math.log(2)), 1.5 * cell_m)
         over = np.maximum(np.abs(across) - flat, 0) / wide
         profile = np.maximum(np.exp(-over * over) - 0.002, 0) / 0.998
-        known = smooth(-2 * cell_m, 0.0, ahead) * (1 - smooth(0.5 * self.reach_m, self.reach_m, ahead))
+        known = smooth(-2 * cell_m - behind_m, -behind_m, ahead) * (1 - smooth(0.5 * self.reach_m, self.reach_m, ahead))
         return self.speed_mps * np.sqrt(core / np.maximum(far, core)) * profile * known
 
 

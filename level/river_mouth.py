@@ -27,6 +27,7 @@ STEEPEST = 0.14  # of waves, height by length, × tanh k h (Miche)
 STOPS = (0.92, 1.08)  # of the speed that stops waves: all of them, none get through
 WHITE = (0.2, 0.5)  # (cg + U) / cg up to which they are white, at which they aren't
 TIDAL = 8.0  # widths up a quiet river over which waves die out on its banks and bed
+EVENS = 0.2  # lengths: over less, waves don't change their height along their crests; half a mouth at most
 TURNS_IN = 3.0  # widths before the mouth over which waves from all sides become waves up the river
 
 
@@ -73,7 +74,7 @@ def met(period_s, depth_m, against_mps, amplitude_m: float = 0.0) -> Met:
 
 @dataclass
 class Shares:
-    """Of swell and chop what comes to each place, × amplitude, and how white 0 … 1 they are there."""
+    """Of swell and chop what comes to each place, × amplitude, and how white 0 … 1 it is there; float32."""
 
     swell: np.ndarray
     chop: np.ndarray
@@ -86,8 +87,8 @@ def _group(fronts: Fronts, depth_m, east, north, up: float = 0.0, speed=None) ->
     `up` 0 … 1: how far all of them run straight against it, `speed` m/s.
     """
     total = Met(*(np.zeros(np.shape(depth_m)) for _ in range(3)))
-    weights = fronts.amplitude_m / max(fronts.amplitude_m.sum(), 1e-9) if fronts.amplitude_m.sum() > 0 else \
-        np.full(len(fronts.length_m), 1 / len(fronts.length_m))  # fmt: skip
+    weights = fronts.amplitude_m + 1e-9  # of a flat sea all alike
+    weights = weights / weights.sum()
     for i, weight in enumerate(weights):
         period = 2 * np.pi / np.sqrt(GRAVITY * 2 * np.pi / fronts.length_m[i])
         against = -(east * fronts.east[i] + north * fronts.north[i])
@@ -100,28 +101,65 @@ def _group(fronts: Fronts, depth_m, east, north, up: float = 0.0, speed=None) ->
     return total
 
 
-def shares(level: Level, shape: RiverMap, flow: RiverFlow) -> Shares:
-    """What the level's rivers leave of the sea's waves on the map's samples: 1 wherever none of them is felt."""
-    out = Shares(*(np.full(shape.owner.shape, value) for value in (1.0, 1.0, 0.0)))
+@dataclass
+class _Around:
+    """The part of the map that rivers and their jets may reach, as views, and what becomes of waves there."""
+
+    rows: slice
+    cols: slice
+    cell_m: float
+    owner: np.ndarray
+    nearest: np.ndarray
+    share: np.ndarray
+    sea_depth_m: np.ndarray
+    out: Shares
+
+
+def _around(level: Level, shape: RiverMap, flow: RiverFlow) -> _Around:
+    own, cell_m = shape.packed[..., 1] > 0, shape.cell_m
+    spans = [np.flatnonzero(own.any(axis)) for axis in (1, 0)]
+    for mouth in flow.mouths:
+        wide = 4.0 * (mouth.half_m + SPREAD * mouth.reach_m) + 4 * cell_m
+        for n, (at, way) in enumerate(((mouth.y, mouth.north), (mouth.x, mouth.east))):
+            ends = np.array([at, at + way * mouth.reach_m])
+            spans[n] = np.append(spans[n], np.rint([(ends.min() - wide) / cell_m, (ends.max() + wide) / cell_m]))
+    if not level.layers["mouth"].neutral:
+        spans = [np.array([0, n]) for n in own.shape]
+    rows, cols = (slice(int(max(span.min(initial=n), 0)), int(np.clip(span.max(initial=-1) + 1, 0, n)))
+                  for span, n in zip(spans, own.shape, strict=True))  # fmt: skip
+    stride = round(cell_m / level.grid.cell_m)
+    depth = np.float32(level.mean_sea_m) - level.height[::stride, ::stride][rows, cols]
+    out = Shares(*(np.full(depth.shape, value, np.float32) for value in (1, 1, 0)))
+    return _Around(rows, cols, cell_m, shape.owner[rows, cols], shape.nearest[rows, cols],
+                   shape.packed[rows, cols, 1], depth, out)  # fmt: skip
+
+
+def shares(level: Level, shape: RiverMap, flow: RiverFlow) -> tuple[Shares, tuple[slice, slice]]:
+    """What the level's rivers leave of the sea's waves, and the part of the map where: elsewhere it is all of them."""
+    around = _around(level, shape, flow)
     high, low = groups(base_settings(level).sea, level.settings.level.seed)
     strength = base_settings(level).flow.rivers
-    stride = round(shape.cell_m / level.grid.cell_m)
-    sea_depth = level.mean_sea_m - level.height[::stride, ::stride]
     for mouth in flow.mouths:
-        _jet(out, mouth, strength, sea_depth, shape.cell_m, (high, low))
-    for which in range(len(shape.lines)):
-        _channel(out, which, shape, flow, strength, (high, low))
-    painted = shape.packed[..., 1] * (shape.owner == PAINTED)  # no way leads there
-    out.swell, out.chop = out.swell * (1 - painted), out.chop * (1 - painted)
-    _by_hand(out, level, stride)
-    return out
+        _jet(around, mouth, strength, (high, low))
+    for which, line in enumerate(shape.lines):
+        own = (around.owner == which) & (around.share > 0)
+        own[own] = around.nearest[own] < line.mouth
+        if own.any():
+            _channel(around, own, line, _along(line, shape, flow), strength, (high, low))
+    out = around.out
+    painted = around.share * (around.owner == PAINTED)  # no way leads there
+    out.swell *= 1 - painted
+    out.chop *= 1 - painted
+    _by_hand(out, level, shape)
+    return out, (around.rows, around.cols)
 
 
-def _by_hand(out: Shares, level: Level, stride: int) -> None:
+def _by_hand(out: Shares, level: Level, shape: RiverMap) -> None:
     """Painted −1 … 1: less of the waves down to none, or more of them up to those of the open sea."""
     layer = level.layers["mouth"]
     if layer.neutral:
         return
+    stride = round(shape.cell_m / level.grid.cell_m)
     paint = layer.read(level.grid.rect)[::stride, ::stride]
     less, more = 1 + np.minimum(paint, 0), np.maximum(paint, 0)
     for name in ("swell", "chop"):
@@ -130,38 +168,32 @@ def _by_hand(out: Shares, level: Level, stride: int) -> None:
     out.white = out.white * less * (1 - more)
 
 
-def _jet(out: Shares, mouth: Mouth, strength: float, sea_depth, cell_m: float, fronts) -> None:
-    wide = 4.0 * (mouth.half_m + SPREAD * mouth.reach_m) + 4 * cell_m
-    ends = np.array([[mouth.x, mouth.y], [mouth.x + mouth.east * mouth.reach_m, mouth.y + mouth.north * mouth.reach_m]])
-    low = np.floor((ends.min(0) - wide) / cell_m).astype(int)
-    high = np.ceil((ends.max(0) + wide) / cell_m).astype(int) + 1
-    rows, cols = (slice(max(low[i], 0), int(np.clip(high[i], 0, n))) for i, n in ((1, sea_depth.shape[0]),
-                                                                                  (0, sea_depth.shape[1])))  # fmt: skip
-    y, x = np.mgrid[rows, cols] * cell_m
-    if not x.size:
-        return
-    speed = strength * mouth.speed(x, y, cell_m)
-    ahead, _ = mouth.off(x, y)
-    up = 1 - smooth(0.0, 2 * TURNS_IN * mouth.half_m, ahead)
-    depth = np.maximum(sea_depth[rows, cols], mouth.depth_m)  # waves come in by the deepest way
+def _jet(around: _Around, mouth: Mouth, strength: float, fronts) -> None:
+    from scipy.ndimage import gaussian_filter
+
+    y, x = np.mgrid[around.rows, around.cols] * around.cell_m
+    speed = strength * mouth.speed(x, y, around.cell_m, 2 * mouth.half_m)
     felt = speed > 0
+    speed, (ahead, _) = speed[felt], mouth.off(x[felt], y[felt])
+    up = 1 - smooth(0.0, 2 * TURNS_IN * mouth.half_m, ahead)
+    depth = np.maximum(around.sea_depth_m[felt], mouth.depth_m)  # waves come in by the deepest way
+    if not felt.any():
+        return
     for name, group in zip(("chop", "swell"), fronts, strict=True):
         one = _group(group, depth, speed * mouth.east, speed * mouth.north, up, speed)
-        getattr(out, name)[rows, cols] *= np.where(felt, one.gain * one.through, 1.0)
+        changes = np.zeros(felt.shape, np.float32)
+        changes[felt] = one.gain * one.through - 1
+        wide = min(EVENS * float(group.length_m.mean()), mouth.half_m) / around.cell_m
+        getattr(around.out, name)[:] *= 1 + gaussian_filter(changes, wide, mode="nearest", truncate=3)
         if name == "chop":
-            out.white[rows, cols] = np.maximum(out.white[rows, cols], np.where(felt, one.white, 0))
+            around.out.white[felt] = np.maximum(around.out.white[felt], one.white)
 
 
-def _channel(out: Shares, which: int, shape: RiverMap, flow: RiverFlow, strength: float, fronts) -> None:
-    """Up the river: waves that were stopped on the way don't come farther up."""
-    own = (shape.owner == which) & (shape.packed[..., 1] > 0)
-    line = shape.lines[which]
-    own[own] = shape.nearest[own] < line.mouth
-    if not own.any():
-        return
+def _channel(around: _Around, own: np.ndarray, line: Line, runs, strength: float, fronts) -> None:
+    """Up the river: waves that were stopped on the way don't come farther up. `runs`: its speed and depth by point."""
     laid = {name: np.zeros(line.mouth) for name in ("swell", "chop", "white")}
     if line.mouth < len(line.x):
-        speed, depth = _along(line, shape, flow)
+        speed, depth = runs
         up = (line.along_m[line.mouth - 1] - line.along_m[: line.mouth]) / (2 * TIDAL * line.half_m[line.mouth - 1])
         dies = 1 - smooth(0.0, 1.0, up)
         for name, group in zip(("chop", "swell"), fronts, strict=True):
@@ -169,14 +201,14 @@ def _channel(out: Shares, which: int, shape: RiverMap, flow: RiverFlow, strength
             through = np.minimum.accumulate(one.through[::-1])[::-1]  # from the sea
             laid[name] = one.gain * through * dies
             if name == "chop":
-                before = np.concatenate([through[1:], through[-1:]])
-                laid["white"] = one.white * before * dies
-    index = np.minimum(shape.nearest[own], line.mouth - 1)
-    share = shape.packed[..., 1][own]
+                laid["white"] = one.white * np.append(through[1:], through[-1]) * dies
+    index, share = around.nearest[own], around.share[own]
+    goes = np.ones(line.mouth)
+    if line.mouth < len(line.x):  # over one width the jet at the mouth goes over into it
+        goes = smooth(0.0, 2 * line.half_m[line.mouth - 1], line.along_m[line.mouth - 1] - line.along_m[: line.mouth])
     for name, values in laid.items():
-        whole = getattr(out, name)
-        rest = 0.0 if name == "white" else 1.0
-        whole[own] = rest + (values[index] - rest) * share
+        rest, whole = 0.0 if name == "white" else 1.0, getattr(around.out, name)
+        whole[own] += (rest + (values[index] - rest) * share - whole[own]) * goes[index]
 
 
 def _along(line: Line, shape: RiverMap, flow: RiverFlow) -> tuple[np.ndarray, np.ndarray]:
@@ -208,9 +240,11 @@ def with_waves(level: Level) -> RiverMap | None:
     if have is not None and level.live and have.key[0] == shape.key:
         return have  # till the stroke ends
     if have is None or have.key != key:
-        found = shares(level, shape, flow)
+        found, there = shares(level, shape, flow)
         packed = shape.packed.copy()
-        packed[..., 3] = code_of_waves(found.swell, found.chop, found.white, np.maximum(-packed[..., 3], 0))
-        most = max(float(found.swell.max()), float(found.chop.max()), 1.0)
+        packed[..., 3] = code_of_waves(1.0, 1.0, 0.0, 0.0)
+        rough = np.maximum(-shape.packed[there][..., 3], 0)
+        packed[there][..., 3] = code_of_waves(found.swell, found.chop, found.white, rough)
+        most = max(float(values.max(initial=1.0)) for values in (found.swell, found.chop))
         have = level.derived["river_map"] = replace(shape, packed=packed, key=key, most_gain=most)
     return have

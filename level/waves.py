@@ -6,7 +6,7 @@ Stateless in t. Games spawn particles and float things with it; tests hold the s
 from __future__ import annotations
 
 import copy
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -147,7 +147,12 @@ def _shore_waves(level: Level, t: float, fronts: list[Fronts], made: ArrivalMap 
         shore_at(level, t), t, bed, x, y, sway, values, loop_s, way, late * (1 - share), steep
     )  # fmt: skip
     river = river_at(level, t, x, y)
-    return _Shore(bed, sand, masks if river is None else masks.faded(at_most(1.0, river.waves)), river)
+    return _Shore(bed, sand, masks if river is None else _met(masks, river.waves), river)
+
+
+def _met(masks: ShoreMasks, waves: Dual) -> ShoreMasks:
+    """What a river leaves of shore waves; where it makes them higher, they stay as wide."""
+    return replace(masks.faded(at_most(1.0, waves)), lift=masks.lift * waves)
 
 
 def _normal(point: Deformed, slope_x: np.ndarray, slope_y: np.ndarray) -> np.ndarray:
@@ -255,10 +260,9 @@ def sea_height_m(level: Level) -> float:
 
 def largest_height_m(level: Level) -> float:
     """The largest height the wave sum can reach over the still sea anywhere."""
-    offshore = largest_amplitude_m(level) * most_amplitude(level)
-    if (rivers := river_map(level)) is not None:
-        offshore *= rivers.most_gain
-    return max(sea_height_m(level), offshore) + most_height_m(level)
+    offshore, rivers = largest_amplitude_m(level) * most_amplitude(level), river_map(level)
+    gain = 1.0 if rivers is None else rivers.most_gain
+    return gain * max(sea_height_m(level), offshore) + most_height_m(level)
 
 
 def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]:

@@ -1,8 +1,11 @@
 """How rivers run: the potential flow over their beds, and how the current takes it up (D13, D06)."""
 
+import time
+
 import numpy as np
 import pytest
 from coasts import make_beach
+from shorewright.app.arrival_lender import ArrivalLender
 from shorewright.app.shared_maps import placed
 from shorewright.level import Rect
 from shorewright.level.drift import drifted
@@ -137,3 +140,25 @@ def test_things_float_down_it():
     east, north = drifted(level, prop, 40.0, 0.2)
     assert north < 130
     assert abs(east - 60) < 5
+
+
+def test_a_release_asks_the_process_for_it():
+    """T14: while it is worked out beside the window the last flow stands, then it is the same bits as at once."""
+    level, lender = coast((60, 155, STRAIGHT)), ArrivalLender()
+    seen = river_flow(level)
+    level.solver = lender
+    try:
+        level.write("height", Rect(120, 50, 126, 60), np.float32(1))
+        assert river_flow(level) is seen
+        end = time.monotonic() + 60
+        while river_flow(level) is seen:
+            lender.look()
+            assert time.monotonic() < end
+            time.sleep(0.01)
+        made = river_flow(level)
+    finally:
+        lender.close()
+    level.derived.clear()
+    level.solver = None
+    assert river_flow(level).velocity.tobytes() == made.velocity.tobytes()
+    assert river_flow(level).mouths == made.mouths

@@ -35,10 +35,10 @@ vec3 deep_weight(Bed bed) {
 float beach_under(Bed bed, Beach beach) { return u_shore_slide > 0.0 && bed.sea.x > 0.0 ? beach.sand.x - u_tide_m : NO_BEACH_M; }
 
 #ifdef RIVERS
-// What a river leaves of a shore wave; it makes it no higher.
+// What a river leaves of a shore wave; where it makes it higher, it stays as wide.
 void fade_shore(inout ShoreMasks shore, vec3 waves) {
-    waves = waves.x > 1.0 ? d_const(1.0) : waves;
     shore.lift = d_mul(shore.lift, waves);
+    waves = waves.x > 1.0 ? d_const(1.0) : waves;
     shore.line *= waves.x;
     shore.back *= waves.x;
     shore.fall *= waves.x;
