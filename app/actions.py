@@ -170,6 +170,7 @@ def _rows() -> list[Action]:
             Action(f"brush.{brush.name}", brush.label, (brush.key,) if brush.key else (), "Brush", _brush(brush.name))
             for brush in BRUSHES.values()
         ),
+        Action("alpha", "Shape of the brush from a file…", (), "Brush", lambda s: s.ask("alpha"), _takes_alpha),
         Action("sky.fill", "Paint all of the sky", (), "Brush", sky_brush.fill),
         Action("sky.erase", "Erase all painted weather", (), "Brush", _erase_sky, _has_sky),
         *(
@@ -226,6 +227,10 @@ def _abort(session: Session) -> None:
 
 def _can_abort(session: Session) -> bool:
     return session.stroke is not None or session.tool != BRUSH or bool(session.selected)
+
+
+def _takes_alpha(session: Session) -> bool:
+    return "alpha" in type(session.params[session.brush]).model_fields
 
 
 def _has_object(session: Session) -> bool:

@@ -99,7 +99,7 @@ class WeatherParams(BrushParams, SkyParams):  # in this order panels show what i
     strength: float = param(1.0, 0, 1, "", "How far the sky comes to what is painted at full pressure.")
 
 
-class MapParams(AlphaParams):
+class MapChoice(Section):
     """What is painted on foam, masks and covers (T03)."""
 
     onto: Literal[
@@ -110,12 +110,15 @@ class MapParams(AlphaParams):
         "add", doc="Put more there or take away (Ctrl does the other), bring it to the target (Ctrl to nothing), smooth"
         " it, or bring it back to nothing.")  # fmt: skip
     target: float = param(1.0, 0, 1, "", "What the mode set brings it to.")
+
+
+class MapParams(AlphaParams, MapChoice):
     size_m: float = param(8.0, 0.01, 100_000, "m", "Radius.", soft=(1, 100))
     strength: float = param(0.5, 0, 1, "", "What a stroke adds at full pressure, or its share of the way there.")
     build_up: bool = param(False, doc="Each dab does its share, so that rubbing goes on; opacity is the most it does.")
 
 
-class FlowParams(AlphaParams):
+class FlowChoice(Section):
     """What the flow brush does (T02)."""
 
     mode: Literal["replace", "add", "erase", "smooth", "rotate", "comb", "coherent"] = param(
@@ -129,5 +132,8 @@ class FlowParams(AlphaParams):
         " place or towards it.")  # fmt: skip
     heading_deg: float = param(0.0, 0, 360, "°", "Where a click sends still water, clockwise from north.")
     angle_deg: float = param(45.0, -180, 180, "°", "What rotate turns by, clockwise; Ctrl turns the other way.")
+
+
+class FlowParams(AlphaParams, FlowChoice):
     size_m: float = param(12.0, 0.01, 100_000, "m", "Radius.", soft=(1, 100))
     strength: float = param(1.0, 0, 1, "", "How far the current comes to what is painted.")
