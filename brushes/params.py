@@ -39,7 +39,7 @@ class AlphaParams(LimitedParams):
         "", doc="A picture, packed, that shapes the dab in place of the falloff.")  # fmt: skip
     alpha_turn: Literal["fixed", "along", "random"] = param(
         "fixed", doc="Its up stays north, goes the way of the stroke, or is another for each dab.")  # fmt: skip
-    alpha_deg: float = param(0.0, -180, 180, "°", "Turned clockwise by this.")
+    alpha_angle_deg: float = param(0.0, -180, 180, "°", "Turned clockwise by this.")
     alpha_seed: int = param(1, 0, 1_000_000, "", "Which of the random ways.", soft=(0, 100))
 
 

@@ -82,7 +82,7 @@ class Stroke:
     def _footprint(self, row: Brush, params: Section, radius: float) -> Footprint:
         """The row's own, or the brush's alpha."""
         if getattr(params, "alpha", ""):
-            return Stamp(radius, unpack(params.alpha), params.alpha_turn, params.alpha_deg, params.alpha_seed)
+            return Stamp(radius, unpack(params.alpha), params.alpha_turn, params.alpha_angle_deg, params.alpha_seed)
         return row.footprint(radius, params.falloff)
 
     def move(self, x: float, y: float, pressure: float = 1.0) -> Rect:

@@ -208,7 +208,7 @@ def corner():
 @pytest.mark.parametrize(("deg", "row", "col"), [(0, 1, 1), (90, -1, 1), (180, -1, -1), (-90, 1, -1)])
 def test_an_alpha_shapes_the_dab_and_turns_clockwise(deg, row, col):
     level = beach()
-    paint(level, (70, 80), strength=1.0, alpha=corner(), alpha_deg=deg)
+    paint(level, (70, 80), strength=1.0, alpha=corner(), alpha_angle_deg=deg)
     foam = level.layers["foam"].array[..., 1]
     for r, c in ((1, 1), (-1, 1), (-1, -1), (1, -1)):
         assert foam[80 + 10 * r, 70 + 10 * c] == float((r, c) == (row, col))

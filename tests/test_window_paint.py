@@ -12,8 +12,8 @@ def test_layer_mode_shape_and_limit_are_chosen_by_hand(drive):  # noqa: F811
     assert found["bad"] == []
     assert (found["brush"], found["onto"], found["mode"]) == ("paint", "shelter", "set")
     assert found["added"] == "height_m 0..10 ~1"
-    assert found["limit"] == "height_m 0.5.."
+    assert found["limit"] == "height_m -0.2.."
     assert found["alpha"] == "ring"
     assert found["steps"] == ["Set shelter"]
     assert found["painted"] > 20
-    assert found["lowest"] >= 0.5
+    assert found["lowest"] >= -0.201

@@ -57,7 +57,7 @@ def _limit(hands: Hands) -> None:
 
     hands.until(lambda: _params(session).only_where, add)
     hands.note(added=_params(session).only_where)
-    for name, text in (("low", "0.5"), ("high", ""), ("soft", "")):
+    for name, text in (("low", "-0.2"), ("high", ""), ("soft", "")):
 
         def put(name=name, text=text) -> None:
             ctx.item_click(f"//Brush/limit_0/###limit_{name}")

@@ -35,12 +35,12 @@ def hidden(params: Section) -> frozenset[str]:
         if params.alpha_turn != "random":
             names.add("alpha_seed")
     else:
-        names |= {"alpha_turn", "alpha_deg", "alpha_seed"}
+        names |= {"alpha_turn", "alpha_angle_deg", "alpha_seed"}
     return frozenset(names)
 
 
 def _alpha(editor: Editor, text: str) -> None:
-    param_widgets.beside("Shape", "A grey picture that shapes the dab in place of the falloff.")
+    param_widgets.beside("Alpha", "A grey picture that shapes the dab in place of the falloff.")
     name = unpack(text).name if text else "Round"
     wide = imgui.get_content_region_avail().x - (30 if text else 0)
     if imgui.button(f"{param_widgets.fitted(name, wide - 16)}###alpha", imgui.ImVec2(wide, 0)):
