@@ -129,6 +129,7 @@ def _rows() -> list[Action]:
         Action("walkable", "Walkable ground", ("N",), "View", lambda s: s.ask("walkable")),
         Action("outline", "Border of the level", (), "View", lambda s: s.ask("outline")),
         Action("centre", "Centre of the picture", (), "View", lambda s: s.ask("centre")),
+        Action("arrows", "Arrows of the current", (), "View", lambda s: s.ask("arrows")),
         Action("force_inset", "Pushed water in a corner", ("I",), "View", lambda s: s.ask("force_inset")),
         Action("weather_inset", "Weather map in a corner", ("Shift+I",), "View", lambda s: s.ask("weather_inset")),
         Action("front_crests", "Crests and their ghosts on the water", ("T",), "View", lambda s: s.ask("front_crests")),
@@ -178,6 +179,7 @@ def _rows() -> list[Action]:
             Action(f"brush.{brush.name}", brush.label, (brush.key,) if brush.key else (), "Brush", _brush(brush.name))
             for brush in BRUSHES.values()
         ),
+        Action("alpha", "Shape of the brush from a file…", (), "Brush", lambda s: s.ask("alpha"), _takes_alpha),
         Action("sky.fill", "Paint all of the sky", (), "Brush", sky_brush.fill),
         Action("sky.erase", "Erase all painted weather", (), "Brush", _erase_sky, _has_sky),
         *(
@@ -234,6 +236,10 @@ def _abort(session: Session) -> None:
 
 def _can_abort(session: Session) -> bool:
     return session.stroke is not None or session.tool != BRUSH or bool(session.selected)
+
+
+def _takes_alpha(session: Session) -> bool:
+    return "alpha" in type(session.params[session.brush]).model_fields
 
 
 def _has_object(session: Session) -> bool:

@@ -33,6 +33,7 @@ VERBS: dict[str, str] = {
     "stroke": "scripts:stroke",
     "export": "exports:export",
     "check": "exports:check",
+    "lint": "lints:lint",
     "views": "tables:views",
     "brushes": "tables:brushes",
     "layers": "tables:layers",

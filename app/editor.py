@@ -33,7 +33,7 @@ SUN_DEG_PER_PX = 0.3
 FORCE_INSET = Inset("force", heading=True)
 WEATHER_INSET = Inset("weather_map", "lower-left", 0.34)  # Z04
 INSETS = {"force_inset": FORCE_INSET, "weather_inset": WEATHER_INSET}  # requests that switch one on or off
-OVERLAYS = ("walkable", "outline", "centre")
+OVERLAYS = ("walkable", "outline", "centre", "arrows")
 FRONTS = {f"front_{name}": name for name in LAYERS}  # requests, and the overlay that they switch
 QUALITIES = ("low", "medium", "high")
 TOLD = {"undo": "Undone: {}", "redo": "Redone: {}"}
@@ -67,6 +67,7 @@ class Editor:
         self.walkable = False  # overlays (D31, D40)
         self.outline = False
         self.centre = False
+        self.arrows = False  # T02
         self.insets: tuple[Inset, ...] = ()  # T12
         self.fronts = FrontView()  # T06
         self.typing = False  # a text field has the keyboard
@@ -214,7 +215,8 @@ class Editor:
     def overlays(self) -> Overlays:
         fronts = self.fronts.lines(self.session)
         return Overlays(
-            walkable=self.walkable, outline=self.outline, centre=self.centre, insets=self.insets, fronts=fronts
+            walkable=self.walkable, outline=self.outline, centre=self.centre, arrows=self.arrows, insets=self.insets,
+            fronts=fronts,
         )  # fmt: skip
 
     @property

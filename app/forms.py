@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from imgui_bundle import imgui
 
+from ..brushes.alphas import pack
+from ..io.alphas import read_alpha
 from . import event_form, placing, shot_forms, theme
 from .editor import Editor
 from .file_forms import ExportForm, Form, ImportForm, NewForm, OpenForm, PathField, SaveAsForm
@@ -32,8 +34,24 @@ class PropForm(Form):
         session.tool = "prop"
 
 
+class AlphaForm(Form):
+    title, confirm = "Shape of the brush from a file", "Take it"
+
+    def __init__(self, editor: Editor) -> None:
+        super().__init__(editor)
+        self.field = PathField("open", "Picture")
+
+    def draw(self) -> None:
+        imgui.text_colored(theme.colour(theme.INK_FAINT), "A grey picture; its white is where the brush works.")
+        self.field.draw("shape.png, .exr, .tif or .jpg", focus=True)
+
+    def run(self) -> None:
+        grey = read_alpha(self.field.path)
+        self.editor.session.set_param("alpha", pack(self.field.path.stem, grey))
+
+
 FORMS: dict[str, type[Form]] = {
     "shot_file": shot_forms.ShotForm, "events": event_form.EventForm,
     "new": NewForm, "open": OpenForm, "save_as": SaveAsForm, "import": ImportForm, "export": ExportForm,
-    "prop": PropForm, "weather_import": WeatherImportForm, "weather_export": WeatherExportForm,
+    "alpha": AlphaForm, "prop": PropForm, "weather_import": WeatherImportForm, "weather_export": WeatherExportForm,
 }  # fmt: skip

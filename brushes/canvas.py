@@ -16,6 +16,8 @@ from ..level.grid import NOWHERE
 from ..level.journal import Step
 from .effects import Effect, Piece
 from .footprint import Footprint, Link
+from .masks import Mask
+from .surroundings import Surroundings
 
 BLOCK = 3 * TILE  # a dab within this is weighed at once, a larger one tile by tile
 
@@ -23,8 +25,18 @@ BLOCK = 3 * TILE  # a dab within this is weighed at once, a larger one tile by t
 class Canvas:
     """What a stroke paints on: one layer of a level within an open undo step."""
 
-    def __init__(self, level: Level, step: Step, layer: str, channels: tuple[int, ...]) -> None:
+    def __init__(
+        self,
+        level: Level,
+        step: Step,
+        layer: str,
+        channels: tuple[int, ...],
+        limits: Mask | None = None,
+        surroundings: Surroundings | None = None,
+    ) -> None:
         self.level = level
+        self.limits = limits
+        self.surroundings = surroundings
         self.step = step
         self.data = level.layers[layer]
         self.channels = channels
@@ -72,6 +84,18 @@ class Canvas:
             return values.copy()
         return np.pad(values, missing, "reflect", reflect_type="odd")
 
+    def found(self, layer: str, rect: Rect, border: int = 0, channel: int = 0) -> np.ndarray:
+        """A layer of the level's own grid as the stroke found it, with a border as `window` makes it."""
+        if layer == self.data.row.name:
+            return self.window(rect, border, channel, base=True)
+        data, wide = self.level.layers[layer], rect.pad(border)
+        inside = data.grid.clip(wide)
+        missing = (
+            (inside.row0 - wide.row0, wide.row1 - inside.row1),
+            (inside.col0 - wide.col0, wide.col1 - inside.col1),
+        )
+        return np.pad(_channel(data.read(inside), channel), missing, "reflect", reflect_type="odd")
+
     def _wrapped_window(self, wide: Rect, channel: int, base: bool) -> np.ndarray:
         out = np.empty(wide.shape, np.float32)
         for asked, held in self.data.grid.laps(wide):
@@ -117,6 +141,8 @@ class Canvas:
             self.step.save(self.data, held)
             out, *spare = (flat[: asked.cells].reshape(asked.shape) for flat in self._scratch)
             weight = footprint.weights(link, asked, out, *spare)
+            if self.limits:
+                self.limits.hold(self, held, weight)
             for piece in self._pieces(asked, held, weight, spare[0], link, masked):
                 effect.write(piece)
             rects.append(held)

@@ -11,13 +11,24 @@ from ..level.layers import LAYERS
 from ..level.params import Section, sentence
 from .effects import Effect
 from .effects.flatten import Flatten
+from .effects.flow import FlowPaint
 from .effects.lift import Lower, Raise
+from .effects.maps import Maps
 from .effects.paint import Paint
 from .effects.ramp import Ramp
 from .effects.smooth import Smooth
 from .effects.weather import Weather
 from .footprint import Footprint, Round, Strip
-from .params import FlattenParams, PaintParams, RaiseParams, RampParams, SmoothParams, WeatherParams
+from .params import (
+    FlattenParams,
+    FlowParams,
+    MapParams,
+    PaintParams,
+    RaiseParams,
+    RampParams,
+    SmoothParams,
+    WeatherParams,
+)
 from .path import AlongPath, LinePath
 
 
@@ -43,6 +54,14 @@ class Brush:
             return self.params.model_validate(values or {})
         except ValidationError as error:
             raise BadInput(f"the brush {self.name}: {sentence(error, 'parameter')}") from None
+
+    def target(self, params: Section, effect: type[Effect] | None = None) -> tuple[str, tuple[int, ...]]:
+        """The layer that is painted and which of its channels, by the brush's own effect or that of another."""
+        picked = self.effect.target(params)
+        if picked:
+            names = LAYERS[picked[0]].channels
+            return picked[0], tuple(names.index(name) for name in picked[1] or names)
+        return self.layer, (effect or self.effect).channels(params, self.channel_numbers)
 
     @property
     def channel_numbers(self) -> tuple[int, ...]:
@@ -164,6 +183,31 @@ BRUSHES: dict[str, Brush] = {
             "Cloud, rain and type of the sky, on the sky itself or on the weather map. Ctrl erases or takes away;"
             " P+click takes the weather there as the target.",
             inverse="Erase weather",
+        ),
+        Brush(
+            "paint",
+            "Paint",
+            "0",
+            Maps,
+            Round,
+            AlongPath,
+            "foam",
+            MapParams,
+            "Foam of the sea and of rivers, snow, ice, and where no puddle forms, no rain falls, effects are held down."
+            " Ctrl does the contrary.",
+            inverse="Remove paint",
+        ),
+        Brush(
+            "flow",
+            "Flow",
+            "J",
+            FlowPaint,
+            Round,
+            AlongPath,
+            "flow",
+            FlowParams,
+            "The current runs the way of the stroke. Ctrl does the contrary.",
+            inverse="Erase flow",
         ),
     )
 }

@@ -13,11 +13,14 @@ from ..level import BadInput, Journal, Level, Rect
 from ..level.grid import NOWHERE
 from ..level.level import cover
 from ..level.params import Section
+from .alphas import unpack
 from .canvas import Canvas
 from .catalog import BRUSHES, Brush
-from .footprint import Link
-from .params import BrushParams, SmoothParams
+from .footprint import Footprint, Link
+from .masks import settled
+from .params import AlphaParams, SmoothParams
 from .path import Bounds, Dab, Sample
+from .stamp import Stamp
 
 FARTHEST_M = 1e9  # a pointer past this is a slip of somebody's arithmetic
 ROUNDS = 8  # times that a stroke may go round a torus
@@ -37,6 +40,8 @@ class Stroke:
         self.invert = invert
         self.smooth = smooth
         self.samples: list[Sample] = []
+        self.layer = brush.target(params)[0]
+        self.click: Dab | None = None  # what a press does that no move has followed yet
         self.step = None
 
     def begin(self, x: float, y: float, pressure: float = 1.0) -> Rect:
@@ -49,6 +54,8 @@ class Stroke:
         row, params = self._row_and_params()
         invert = self.invert and not self.smooth
         label = row.effect.label(params, invert) or (row.inverse if invert else row.label)
+        text = getattr(self.params, "only_where", "")
+        self.limits, self.surroundings = settled(self.level, text, row.effect.needs(params))
         self.step = self.journal.begin(label)
         try:
             self._take_up(row, params, invert, sample)
@@ -61,14 +68,22 @@ class Stroke:
 
     def _take_up(self, row: Brush, params: Section, invert: bool, press: Sample) -> None:
         """Put together canvas, footprint, effect and path."""
-        channels = row.effect.channels(params, self.brush.channel_numbers)
-        self.canvas = Canvas(self.level, self.step, self.brush.layer, channels)
+        layer, channels = self.brush.target(params, row.effect)
+        self.canvas = Canvas(self.level, self.step, layer, channels, self.limits, self.surroundings)
         grid = self.canvas.data.grid
-        self.footprint = row.footprint(params.size_m / grid.cell_m, params.falloff)
+        self.footprint = self._footprint(row, params, params.size_m / grid.cell_m)
+        stamped = isinstance(self.footprint, Stamp) and params.alpha_turn == "along"
+        self.waits = row.effect.goes_along(params) or stamped
         self.effect = row.effect(params, invert, self.footprint)
         self.masked = row.effect.masked(params, invert) and not row.path.replaces
         spacing_m = params.spacing * self.footprint.radius * grid.cell_m
         self.path = row.path(spacing_m, grid.cell_m, self._bounds(spacing_m + grid.cell_m, press))
+
+    def _footprint(self, row: Brush, params: Section, radius: float) -> Footprint:
+        """The row's own, or the brush's alpha."""
+        if getattr(params, "alpha", ""):
+            return Stamp(radius, unpack(params.alpha), params.alpha_turn, params.alpha_angle_deg, params.alpha_seed)
+        return row.footprint(radius, params.falloff)
 
     def move(self, x: float, y: float, pressure: float = 1.0) -> Rect:
         """Drag to world metres; returns the cells changed. Samples that are no numbers are ignored."""
@@ -86,6 +101,7 @@ class Stroke:
             return NOWHERE
         if not self.path.replaces:
             self._paint(self.path.end())
+            self._finish()
         return self.canvas.bounds if self.journal.commit() else NOWHERE
 
     def abort(self) -> None:
@@ -110,8 +126,8 @@ class Stroke:
             return self.brush, own
         if not self.smooth or isinstance(self.params, smooth.params):
             return (smooth if self.smooth else self.brush), self.params
-        shared = {name: getattr(self.params, name) for name in BrushParams.model_fields if name != "strength"}
-        return smooth, SmoothParams(**shared)
+        shared = [name for name in AlphaParams.model_fields if name in type(self.params).model_fields]
+        return smooth, SmoothParams(**{name: getattr(self.params, name) for name in shared if name != "strength"})
 
     def _bounds(self, way_m: float, press: Sample) -> Bounds:
         """Where dabs count: round the level, on a torus some rounds about the press."""
@@ -129,13 +145,32 @@ class Stroke:
         try:
             rects: list[Rect] = self.canvas.rewind() if self.path.replaces else []
             for dab in dabs:
+                if self.waits and dab.start == dab.end:
+                    self.click = dab
+                    continue
+                self.click = None
                 rects += self.canvas.paint(self._link(dab), self.footprint, self.effect, self.masked)
         except BaseException:
             self.abort()
             raise
+        return self._mark(rects)
+
+    def _finish(self) -> None:
+        """What waited for the release: a press that became no way, and what an effect does to the whole."""
+        rects = []
+        try:
+            if self.click:
+                rects += self.canvas.paint(self._link(self.click), self.footprint, self.effect, self.masked)
+            rects += self.effect.finish(self.canvas)
+        except BaseException:
+            self.abort()
+            raise
+        self._mark(rects)
+
+    def _mark(self, rects: list[Rect]) -> Rect:
         changed = NOWHERE
         for rect in cover(rects):
-            self.level.mark(self.brush.layer, rect)
+            self.level.mark(self.layer, rect)
             changed = changed.union(rect)
         return changed
 
@@ -145,6 +180,9 @@ class Stroke:
         ends = (*grid.to_cells(start.x, start.y), *grid.to_cells(end.x, end.y))
         if grid.wraps:  # a step so fine that whole cells more or less leave the same fraction of a cell
             ends = tuple(round(at * FRACTIONS) / FRACTIONS for at in ends)
+        if self.effect.takes_pressure(self.params):
+            self.effect.pressed = end.pressure
+            return Link(*ends)
         return Link(*ends, start.pressure, end.pressure)
 
 

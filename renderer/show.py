@@ -191,5 +191,6 @@ class Overlays:
     outline: bool = False  # the border of the level
     centre: bool = False  # D40: a cross at the centre of the screen
     lines: tuple[tuple[tuple[float, float, float], ...], ...] = ()  # world polylines, such as the ramp's preview
+    arrows: bool = False  # T02: the current, drawn on the water
     insets: tuple[Inset, ...] = ()  # T12
     fronts: FrontLines | None = None  # T06

@@ -141,6 +141,9 @@ VIEWS: dict[str, View] = {
              "vec3(current_at(s.before).rg * 0.5 + 0.5, 0.5) * (0.3 + 0.7 * on_sea)", "direct", ids="D05 D06"),
         View("flow_speed", "Flow speed", "Speed of the current, 1 m/s to white.",
              "vec3(on_sea * length(current_at(s.before).rg))", ids="D05"),
+        View("flow_faults", "Flow: faults", "Red where the current runs into land, blue where water comes from nowhere "
+             "or vanishes, a quarter of a cell's speed to full; green its speed, 4 m/s to full.",
+             "on_sea * flow_faults(s.before)", "direct", ids="T02"),
         View("foam_shore", "Foam: shore", "Constant foam by the distance to the shore, before it is torn.",
              "vec3(on_sea * foam_of_shore(current_at(s.before).a, 1.0))", ids="H18"),
         View("foam_height", "Foam: height", "Foam on the highest water.",

@@ -29,11 +29,12 @@ def test_a_row_is_complete(brush):
     assert {"size_m", "strength", "falloff", "spacing", "opacity"} <= set(rows)
     for row in rows.values():
         assert row.doc.endswith(".")
-        assert row.kind in ("choice", "bool") or row.low <= row.default <= row.high
+        assert row.kind in ("choice", "bool", "text") or row.low <= row.default <= row.high
 
 
 def test_the_brushes_have_their_own_keys():
-    assert list(BRUSHES) == ["raise", "lower", "smooth", "flatten", "ramp", "rocks", "driftwood", "tufts", "weather"]
+    assert list(BRUSHES) == ["raise", "lower", "smooth", "flatten", "ramp", "rocks", "driftwood", "tufts", "weather",
+                             "paint", "flow"]  # fmt: skip
     assert len({brush.key for brush in BRUSHES.values()}) == len(BRUSHES)
 
 

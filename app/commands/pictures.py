@@ -42,6 +42,7 @@ def render(
     fronts: Annotated[
         str | None, Parameter(help="Laid over the water: crests, ghosts:COUNT:S, isochrones:S, speed:MPS, breakers.")
     ] = None,
+    arrows: Annotated[bool, Parameter(negative="", help="The current as arrows on the water.")] = False,
     memory: Annotated[bool, Parameter(negative="", help="Also list what it took of the GPU, by target.")] = False,
 ) -> int:
     """Draw a level into a PNG or EXR.
@@ -56,8 +57,8 @@ def render(
     writable_parent(output)
     found = _level(level, environment, weather, assignments)
     options |= look(view, hide)
-    if inset or fronts is not None:
-        options["overlays"] = _overlays(inset or [], fronts)
+    if inset or fronts is not None or arrows:
+        options["overlays"] = _overlays(inset or [], fronts, arrows)
     other = compared(found, against, hide) if against else None
     _draw(found, _camera(found, camera), output, times, frames is not None, options, other)
     if memory:
@@ -112,11 +113,11 @@ def _camera(level, text: str):
     return level.camera(text)
 
 
-def _overlays(insets: list[str], fronts: str | None):
+def _overlays(insets: list[str], fronts: str | None, arrows: bool):
     from ...renderer.show import FrontLines, Inset, Overlays
 
     lines = FrontLines.parse(fronts) if fronts is not None else None
-    return Overlays(insets=tuple(Inset.parse(text) for text in insets), fronts=lines)
+    return Overlays(insets=tuple(Inset.parse(text) for text in insets), fronts=lines, arrows=arrows)
 
 
 def look(view: str, hide: list[str] | None) -> dict:

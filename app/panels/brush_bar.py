@@ -9,6 +9,7 @@ from ...level.params import describe
 from .. import param_widgets, theme
 from ..editor import Editor
 from ..tools import BRUSH, FRONT, SELECT, TOOLS, pick_tool
+from . import brush_limits
 
 TILE_PX = 56
 # Profiles of the ground in a unit square, y up: what each brush makes of it. A brush without one shows a circle.
@@ -26,6 +27,10 @@ PROFILES: dict[str, tuple[tuple[float, float], ...]] = {
               (0.94, 0.66), (0.68, 0.15), (1, 0.15)),
     "weather": ((0, 0.2), (0.04, 0.2), (0.05, 0.42), (0.14, 0.55), (0.24, 0.52), (0.3, 0.78), (0.46, 0.95),
                 (0.62, 0.84), (0.7, 0.6), (0.84, 0.62), (0.95, 0.44), (0.96, 0.2), (1, 0.2)),
+    "paint": ((0, 0.15), (0.06, 0.15), (0.12, 0.36), (0.28, 0.5), (0.8, 0.98), (0.94, 0.84), (0.46, 0.36), (0.34, 0.15),
+              (1, 0.15)),
+    "flow": ((0, 0.3), (0.2, 0.55), (0.42, 0.6), (0.66, 0.5), (0.62, 0.86), (1, 0.44), (0.6, 0.1), (0.63, 0.3),
+             (0.42, 0.4), (0.2, 0.36)),
 }  # fmt: skip
 
 
@@ -116,11 +121,12 @@ def draw_parameters(editor: Editor) -> None:
     switches = [name for name in type(params).model_fields if name.startswith(param_widgets.PAINT)]
     idle = brush.effect.idle(params.model_copy(update=dict.fromkeys(switches, True)))
     param_widgets.draw_all(
-        [row for row in describe(type(params)) if row.name not in idle],
+        [row for row in describe(type(params)) if row.name not in idle | brush_limits.hidden(params)],
         lambda name: getattr(params, name),
         lambda name, value, merge: editor.attempt(session.set_param, name, value),
         lambda: None,
     )
+    brush_limits.draw(editor, session.params[session.brush])
 
 
 def _told(title: str, doc: str) -> None:

@@ -43,6 +43,7 @@ class Effect:
     """Begin, then `prepare` and `write` for each dab."""
 
     layer = ""  # the only one it can work on, where its channels belong together
+    pressed = 1.0  # pressure at the end of the dab, for an effect that takes it
 
     def __init__(self, params: Section, invert: bool, footprint: Footprint) -> None:
         self.params = params
@@ -66,6 +67,26 @@ class Effect:
         return ""
 
     @classmethod
+    def target(cls, params: Section) -> tuple[str, tuple[str, ...]] | None:
+        """Layer and channels that the parameters pick; None where the brush's row does."""
+        return None
+
+    @classmethod
+    def needs(cls, params: Section) -> frozenset[str]:
+        """What of the surroundings it reads: flow, shore."""
+        return frozenset()
+
+    @classmethod
+    def goes_along(cls, params: Section) -> bool:
+        """Whether a dab means nothing without a way: then the press waits for a move, or for the release."""
+        return False
+
+    @classmethod
+    def takes_pressure(cls, params: Section) -> bool:
+        """Whether pressure is something of its own to it (`pressed`) and no part of the weights."""
+        return False
+
+    @classmethod
     def channels(cls, params: Section, channels: tuple[int, ...]) -> tuple[int, ...]:
         """Which of the brush's channels it writes."""
         return channels
@@ -84,6 +105,10 @@ class Effect:
     def write(self, piece: Piece) -> None:
         """Fill `piece.live`."""
         raise NotImplementedError
+
+    def finish(self, canvas: Canvas) -> list[Rect]:
+        """What is left for the release; returns the rectangles it changed."""
+        return []
 
     def preview(self, canvas: Canvas) -> dict | None:
         """What is worth telling while the stroke goes on."""

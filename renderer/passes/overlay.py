@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...level.flow_arrows import flow_arrows
 from ..frame import Frame
 
 
 def draw(frame: Frame) -> None:
     overlays, ctx = frame.overlays, frame.renderer.ctx
-    if not (overlays.ring or overlays.walkable or overlays.outline or overlays.centre or overlays.lines):
+    on_ground = overlays.ring or overlays.walkable or overlays.outline or overlays.centre
+    if not (on_ground or overlays.lines or overlays.arrows):
         return
     frame.targets.display.use()
     width, height = frame.full_size
@@ -17,10 +19,13 @@ def draw(frame: Frame) -> None:
     frame.uniforms["u_pixel_angle"] *= frame.size[1] / height
     ctx.enable(ctx.BLEND)
     ctx.blend_func = ctx.SRC_ALPHA, ctx.ONE_MINUS_SRC_ALPHA
-    if overlays.ring or overlays.walkable or overlays.outline or overlays.centre:
+    if on_ground:
         _ground(frame)
-    if overlays.lines:
-        _lines(frame)
+    lines = list(overlays.lines)
+    if overlays.arrows:
+        lines += flow_arrows(frame.level, *frame.matrices.position)
+    if lines:
+        _lines(frame, lines)
     ctx.disable(ctx.BLEND)
 
 
@@ -35,9 +40,9 @@ def _ground(frame: Frame) -> None:
     frame.shader("overlay.glsl", **defines).fullscreen()
 
 
-def _lines(frame: Frame) -> None:
+def _lines(frame: Frame, lines: list) -> None:
     segments = []
-    for line in frame.overlays.lines:
+    for line in lines:
         points = np.asarray(line, np.float64).reshape(-1, 3) - frame.matrices.position
         segments.append(np.concatenate([points[:-1], points[1:]], axis=1))
     data = np.concatenate(segments).astype(np.float32)

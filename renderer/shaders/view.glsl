@@ -16,6 +16,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/sea_material.glsl"
 #include "lib/layer.glsl"
 #include "lib/sea_below.glsl"
+#include "lib/flow_faults.glsl"
 #include "lib/plate.glsl"
 #ifdef INSET
 #include "lib/inset.glsl"

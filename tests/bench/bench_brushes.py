@@ -16,6 +16,7 @@ NAMES = (
     "raise dab, radius 128, along a stroke / plain NumPy",
     "undo of 200 dabs / bytes of the tiles it changed",
     "undo and redo at 4097² / at 1025²",
+    "foam dab, radius 200 on 2048² / plain NumPy",
 )
 
 
@@ -38,18 +39,18 @@ def start(level, journal, name: str = "raise", **params):
 class Plain:
     """The reference: float32, the rectangle of the dab only, one line of NumPy for each line of the maths."""
 
-    def __init__(self, height: np.ndarray) -> None:
-        self.base = height
+    def __init__(self, height: np.ndarray, radius: float = RADIUS) -> None:
+        self.base, self.radius = height, radius
         self.height = height.copy()
         self.mask = np.zeros_like(height)
 
     def dab(self, x: float, y: float, strength: float = 0.5, falloff: float = 0.7) -> None:
-        row0, row1 = math.ceil(y - RADIUS), math.floor(y + RADIUS) + 1
-        col0, col1 = math.ceil(x - RADIUS), math.floor(x + RADIUS) + 1
+        row0, row1 = math.ceil(y - self.radius), math.floor(y + self.radius) + 1
+        col0, col1 = math.ceil(x - self.radius), math.floor(x + self.radius) + 1
         where = slice(row0, row1), slice(col0, col1)
         rows = (np.arange(row0, row1) - y).astype(np.float32)[:, None]
         cols = (np.arange(col0, col1) - x).astype(np.float32)[None, :]
-        distance = np.sqrt(rows * rows + cols * cols) / np.float32(RADIUS)
+        distance = np.sqrt(rows * rows + cols * cols) / np.float32(self.radius)
         t = np.clip((distance - np.float32(1 - falloff)) / np.float32(falloff), 0, 1)
         weight = 1 - t * t * (3 - 2 * t)
         self.mask[where] = np.maximum(self.mask[where], weight)
@@ -108,6 +109,26 @@ def dabs() -> list[dict]:
     return rows
 
 
+def foam_dab() -> list[dict]:
+    """T03: a dab of foam against the same blend on an array of one channel, kept in one piece."""
+    from shorewright.level import Grid, Journal, Level
+
+    side, radius = 2048, 200
+    level = Level(Grid(side, side), np.zeros((side, side), np.float32))
+    level.write("foam", level.grid.rect, 0.2)
+    journal, plain = Journal(level), Plain(level.layers["foam"].array[..., 1].copy(), radius)
+    ours_s, plain_s = [], []
+    for x, y in np.random.default_rng(4).uniform(radius + 20, side - radius - 20, (40, 2)):
+        plain_s.append(seconds(lambda x=x, y=y: plain.dab(x, y)))
+        stroke = start(level, journal, "paint", onto="foam.constant", size_m=radius)
+        stroke.begin(x, y)
+        ours_s.append(seconds(lambda stroke=stroke, x=x, y=y: stroke.move(x + 20.001, y)))
+        stroke.abort()
+    ours, base = float(np.median(ours_s[5:])), float(np.median(plain_s[5:]))
+    note = f"{ours * 1e6:.0f} µs along a stroke against {base * 1e6:.0f} µs, median"
+    return [{"name": NAMES[4], "ratio": ours / base, "limit": 2.5, "note": note}]
+
+
 def sculpt(level, journal, kind: str) -> None:
     """Earlier work under the stroke to be measured."""
     if kind == "sculpted":
@@ -160,7 +181,7 @@ def undo_cost() -> list[dict]:
 
 def run() -> list[dict]:
     """Rows {name, ratio, limit, note}."""
-    return dabs() + undo_bytes() + undo_cost()
+    return dabs() + foam_dab() + undo_bytes() + undo_cost()
 
 
 if __name__ == "__main__":
