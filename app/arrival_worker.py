@@ -21,7 +21,7 @@ from ..level.errors import BadInput
 from ..level.flow import Current, CurrentRequest
 from ..level.shaping import Shaped
 from ..level.shaping_request import ShapeRequest
-from ..level.shore import Bed, BedRequest
+from ..level.shore_bed import Bed, BedRequest
 from ..level.swell_request import SwellRequest, SwellResult
 from .shared_maps import Block, Maps, bytes_of, placed, restored
 

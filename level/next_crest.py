@@ -9,7 +9,7 @@ import numpy as np
 from .level import Level
 from .loop import turns
 from .noise import LATTICE, lattice
-from .shore_waves import wave_noise
+from .shore_swash import wave_noise
 from .surf import TYPES, breaker_type
 from .timing import Clock, Passage, passage
 

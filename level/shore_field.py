@@ -17,7 +17,8 @@ import numpy as np
 from .beach import bare_beach, beach_reach
 from .grid import Rect
 from .level import Level, merge
-from .shore import open_edge, sea_seeds
+from .shore import sea_seeds
+from .shore_bed import open_edge
 from .shore_distance import NEAR, joined_water, signed_distance
 
 CELL_M = 0.5  # 4 texels a m² (H10)

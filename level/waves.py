@@ -23,7 +23,8 @@ from .patches import beach_contact, overrides, patch_shore, patch_uniforms
 from .pins import later, pin_uniforms, pinned
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
-from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cycles, shore_masks, uprush
+from .shore_swash import uprush
+from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cycles, shore_masks
 from .spline import second_order
 from .uncarried import Moved, uncarried
 from .wave_lists import counted, wave_regions
