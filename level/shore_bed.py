@@ -61,12 +61,11 @@ def open_edge(shape: tuple[int, int], seeds: tuple, cell_m: float) -> np.ndarray
 
 
 def toll_of(settings: Settings) -> Toll | None:
-    """What flats cost, so that fronts of the depth's clock go no faster than `shore.fastest_mps`; None: nothing."""
+    """What flats cost, so that fronts of the depth's clock take their time there; None: nothing."""
     shore = settings.shore
-    if not shore.monotone or shore.fastest_mps <= 0 or settings.timing.share == 1.0:
+    if not shore.monotone or shore.flat_slope <= 0 or settings.timing.share == 1.0:
         return None
-    slope = shore.range_m * (1 + shore.runup) / (shore.interval_s * shore.count * shore.fastest_mps)
-    return Toll(slope, shore.range_m)
+    return Toll(shore.flat_slope, shore.range_m)
 
 
 def _from_the_deep(depth: np.ndarray, start: np.ndarray, settings: Settings, cell_m: float):
