@@ -11,6 +11,7 @@ from scipy import ndimage
 from .earth import GRAVITY
 from .level import Level
 from .shore import shore_map
+from .shore_bed import toll_of
 from .timing import TimingMap, timing_map
 from .weather_keys import level_at
 
@@ -165,6 +166,8 @@ def _bar(field: Field) -> Iterator[HotSpot]:
 def _at_a_bar(field: Field) -> str:
     if field.level.settings.timing.share > 0.5:
         return "waves break on the bar and again on the beach"
+    if toll_of(field.level.settings):
+        return "a front takes the trough for as shallow as the bar"
     if field.level.settings.shore.monotone:
         return "a front crosses the trough all at once"
     return "one front stands at three places at once"

@@ -13,7 +13,7 @@ from .level import Level
 from .loop import turns
 from .noise import LATTICE, lattice
 from .object_crests import object_crest
-from .shore_waves import wave_noise
+from .shore_swash import wave_noise
 from .surf import TYPES, breaker_type
 from .timing import Clock, Passage, passage
 

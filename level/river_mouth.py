@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .dispersion import GRAVITY
+from .earth import GRAVITY
 from .gerstner import Fronts, groups
 from .level import Level
 from .river_flow import RiverFlow, river_flow

@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from .dual import Dual, step
+from .earth import GRAVITY
 from .level import Level
-from .loop import GRAVITY, looped
+from .loop import looped
 from .river_map import DROWNED_M, JOIN_M, river_map
 
 TRAINS = ((0.6, 1.0, 1.0), (0.4, 1.618034, 1.272020))  # share of the height, cycles, their speed: √ of that, deep water

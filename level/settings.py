@@ -114,6 +114,10 @@ class Shore(Section):
     sway_m: float = param(60.0, 5, 2000, "m", "Length of that rhythm along the shore.", soft=(20, 200))
     slide: bool = param(True, doc="The sheet slides on the beach: the surface never dips below the sand (H10).")
     monotone: bool = param(True, doc="Fronts pass a bar once: the clock reads the least depth on the way from the sea.")
+    flat_slope: float = param(
+        0.0175, 0, 0.2, "", "By depth, the slope that flats and troughs behind bars count as at least: fronts take "
+        "their time there; 0: they cross a flat all at once.", soft=(0, 0.05),
+    )  # fmt: skip
     smooth_m: float = param(2.0, 0, 100, "m", "How far the clock's bed is smoothed, so that pebbles bend no front.")
     distance_range_m: float = param(
         60.0, 1, 150, "m", "How far from the shoreline the shore map knows the distance to it (H11).", soft=(10, 80)

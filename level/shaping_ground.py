@@ -20,7 +20,8 @@ from .pins import pins
 from .shaping_limits import SlopeLimit, sills
 from .shaping_plate import Plate
 from .shaping_travel import Times
-from .shore import ROCKS_M, bed_in, shore_map
+from .shore import bed_in, shore_map
+from .shore_bed import ROCKS_M
 from .shore_waves import LANDING_S, Travel, lead_arrival, s_cycles, shore_early
 from .weather_keys import level_at
 
@@ -121,7 +122,8 @@ class ShapingGround:
 
     def _look(self) -> None:
         depth = (self.depth * np.exp(self.field)).astype(np.float32)
-        self.packed, self.least = bed_in(self.level, self.map, self.window, depth, self.every)
+        bed = bed_in(self.level, self.map, self.window, depth, self.every)
+        self.packed, self.least = bed.packed, bed.bottleneck
 
     def solve_times(self, fine: bool = False) -> None:
         """Times of travel over the bed as it is bent, coarsely or as they are drawn."""
@@ -181,8 +183,8 @@ class ShapingGround:
         return (cycles.v + wave) * self.shore.interval_s
 
     def _s(self, points: np.ndarray) -> np.ndarray:
-        """s of the front that is seen: on the clock's depth, with times of travel on that without rocks."""
-        return 1.0 - self._at(self.packed[..., 0 if self.share == 0 else 3], points) / self.shore.range_m
+        """s of the front that is seen: on the clock's depth without rocks."""
+        return 1.0 - self._at(self.packed[..., 3], points) / self.shore.range_m
 
     def speed_mps(self, points: np.ndarray) -> np.ndarray:
         """Ground speed of the crest at points."""

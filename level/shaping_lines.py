@@ -38,10 +38,9 @@ def phase_at(level: Level, t: float, x, y, pinned: bool = True) -> tuple[Dual, n
     late = later(then, t, x, y) if pinned else Dual(0.0)
     by_depth = late * (1 - then.settings.timing.share)
     made = arrival(then, t)
-    if made is None:
-        s = 1.0 - bed["clock"] * (1 / shore.range_m)
-        return t / shore.interval_s + early - by_depth - s * s_cycles(shore), here & (s.v > 0) & (s.v < 1)
     s = 1.0 - bed["smoothed"] * (1 / shore.range_m)
+    if made is None:
+        return t / shore.interval_s + early - by_depth - s * s_cycles(shore), here & (s.v > 0) & (s.v < 1)
     bend = phase_noise(then.settings.sea, swell(then, t), 0, x, y) + late
     way = Travel.of(made.at(x, y, heights=False), bend, then.settings.timing.share)
     return t / shore.interval_s - lead_arrival(shore, s, early * step(0.0, 1.0, s) - by_depth, way), here & (s.v < 1)

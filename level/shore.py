@@ -10,24 +10,21 @@ from __future__ import annotations
 import functools
 import math
 from collections import deque
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 import numpy as np
-from scipy import ndimage
 
-from .bottleneck import bottleneck
+from .bottleneck import bottleneck, falling
 from .dual import Dual, step
 from .grid import Rect
 from .level import Level, merge
 from .objects import SeaSeed
-from .request import Request
-from .settings import Settings
+from .shore_bed import ROCKS_M, Bed, BedRequest, pack, toll_of
 from .tide import band_m
 
 MOST_SIDE = 1025  # samples a side: larger levels are read with a stride
 LIVE_MARGIN = 24  # cells round a change that are worked out with it
 BEYOND_M = 80.0  # how far past the level's border shore waves go on: there the bed is only a guess
-ROCKS_M = 4.0  # sigma of the bed that the water's body knows: rocks smaller than that don't dent it
 CHANNELS = ("clock", "depth", "sea", "smoothed")
 
 
@@ -41,6 +38,7 @@ class ShoreMap:
 
     packed: np.ndarray
     bottleneck: np.ndarray  # least depth on the way from the sea, before smoothing
+    falling: np.ndarray  # the same less the toll on flats: what the clock reads
     cell_m: float
     stride: int
     revision: int = 0
@@ -86,37 +84,6 @@ class ShoreMap:
         return texels
 
 
-@dataclass(frozen=True)
-class BedRequest(Request["Bed"]):
-    """All that the map follows from, as a process can carry it."""
-
-    depth_m: np.ndarray
-    cell_m: float
-    seeds: tuple
-    settings: Settings
-
-    def kept(self) -> BedRequest:
-        return replace(self, depth_m=np.array(self.depth_m, np.float32))
-
-    @property
-    def answer_bytes(self) -> int:
-        return 5 * 4 * self.depth_m.size + (1 << 12)
-
-    def answered(self) -> Bed:
-        depth = self.depth_m
-        start = (depth > 0) & open_edge(depth.shape, self.seeds, self.cell_m)
-        least = _from_the_deep(depth, start, self.settings.shore.range_m)
-        return Bed(_pack(self.settings, depth, least, self.cell_m), least)
-
-
-@dataclass(frozen=True)
-class Bed:
-    """`packed` and `bottleneck` of a map."""
-
-    packed: np.ndarray
-    bottleneck: np.ndarray
-
-
 def shore_map(level: Level, now: bool = False) -> ShoreMap:
     """The level's map, up to date with its height; worked out in the changed window only while a step is open.
 
@@ -126,7 +93,8 @@ def shore_map(level: Level, now: bool = False) -> ShoreMap:
     shore = level.settings.shore
     seeds = sea_seeds(level)
     tide = (level.settings.tide.on, band_m(level.settings)[1])
-    key = (level.mean_sea_m, shore.range_m, shore.runup, shore.monotone, shore.smooth_m, seeds, tide)
+    key = (level.mean_sea_m, shore.range_m, shore.runup, shore.monotone, shore.smooth_m, seeds, tide,
+           toll_of(level.settings))  # fmt: skip
     have: ShoreMap | None = level.derived.get("shore_map")
     at = level.layer_revision("height")
     if have is not None and have.key == key:
@@ -141,7 +109,7 @@ def shore_map(level: Level, now: bool = False) -> ShoreMap:
         have.whole = False
         return have
     stride = _stride(level)
-    made = ShoreMap(bed.packed, bed.bottleneck, level.grid.cell_m * stride, stride, at, key)
+    made = ShoreMap(bed.packed, bed.bottleneck, bed.falling, level.grid.cell_m * stride, stride, at, key)
     made.tidal = level.settings.tide.on
     if have is not None and have.key == key:
         made.log = have.log.copy()  # that of the map before ends with it
@@ -165,88 +133,6 @@ def sea_seeds(level: Level) -> tuple:
     return tuple(sorted((o.x, o.y) for o in level.objects.values() if isinstance(o, SeaSeed)))
 
 
-def open_edge(shape: tuple[int, int], seeds: tuple, cell_m: float) -> np.ndarray:
-    """Where the sea comes from if it is wet there: cells of the level's border, and seed points."""
-    start = np.zeros(shape, bool)
-    start[0], start[-1], start[:, 0], start[:, -1] = True, True, True, True
-    for x, y in seeds:
-        row, col = round(y / cell_m), round(x / cell_m)
-        if 0 <= row < shape[0] and 0 <= col < shape[1]:
-            start[row, col] = True
-    return start
-
-
-def _from_the_deep(depth: np.ndarray, start: np.ndarray, range_m: float) -> np.ndarray:
-    """Bottleneck depth from the deep part of the border: where it cuts a beach, fronts come from the sea too."""
-    if not start.any():
-        return np.full(depth.shape, -np.inf, np.float32)
-    deep = start & (depth >= min(range_m, 0.95 * float(depth[start].max())))
-    least = bottleneck(np.where(deep, depth, -np.inf).astype(np.float32), depth)
-    cut_off = start & ~(least > 0)  # water that only its own shallow border joins to the sea
-    if cut_off.any():
-        least = bottleneck(np.where(cut_off, depth, least).astype(np.float32), depth)
-    return least
-
-
-def _pack(settings: Settings, depth, least, cell_m: float) -> np.ndarray:
-    """The four channels from depth and the bottleneck depth.
-
-    The swash comes as far as the lowest way from the sea stays below the run-up: a tide pool behind a low rim is
-    topped, a hollow inland stays still (D03).
-    """
-    limit = 1.1 * settings.shore.range_m * settings.shore.runup + 0.05
-    packed = _packed(settings, depth, least, cell_m, limit)
-    if settings.tide.on:
-        sea = packed[..., 2] > 0
-        high = _packed(settings, depth, least, cell_m, limit + band_m(settings)[1])
-        packed = np.where(sea[..., None], packed, high)
-        packed[..., 2] = _wakes(sea, depth, least, limit)
-    return packed
-
-
-def _packed(settings: Settings, depth, least, cell_m: float, limit: float) -> np.ndarray:
-    shore = settings.shore
-    reached = least > -limit
-    clock = np.where(reached, least, depth) if shore.monotone else depth
-    sigma = shore.smooth_m / cell_m
-    if sigma > 0.05:
-        smooth = ndimage.gaussian_filter(clock, sigma, mode="nearest", truncate=3)
-        keep = np.clip(clock / 1.0, 0, 1)  # the true bed at the water line, so that lines and water meet there
-        clock = clock + (smooth - clock) * keep * keep * (3 - 2 * keep)
-    wide = ndimage.gaussian_filter(clock, max(ROCKS_M / cell_m, 0.3), mode="nearest", truncate=3)
-    packed = np.zeros((*depth.shape, 4), np.float32)
-    packed[..., 0], packed[..., 1], packed[..., 3] = clock, depth, wide
-    packed[..., 2] = reached | _banks(reached, depth, limit)
-    return packed
-
-
-def _banks(reached, depth, limit_m: float) -> np.ndarray:
-    """Land too high for the swash, right beside it: counted as sea, or a steep beach would wear the cells as teeth.
-
-    Not where a hollow lies behind it that the sea doesn't reach.
-    """
-    high = depth <= -limit_m
-    beside = ndimage.binary_dilation(reached, np.ones((3, 3), bool))
-    return high & beside & ~ndimage.binary_dilation(~high & ~reached, np.ones((3, 3), bool))
-
-
-def _wakes(sea, depth, least, limit_m: float) -> np.ndarray:
-    """The tide over which each cell is sea: it is reached itself, or the bank of one that is; exact at tide 0.
-
-    A bank that a hollow comes to lie behind at a higher tide stays one.
-    """
-    own = -np.float32(limit_m) - least
-    bank = ndimage.minimum_filter(own, 3, mode="nearest")
-    rows, cols = own.shape
-    around_own, around_depth = (np.pad(values, 1, mode="edge") for values in (own, depth))
-    hollow = np.zeros(own.shape, bool)
-    for row, col in np.ndindex(3, 3):
-        there = slice(row, row + rows), slice(col, col + cols)
-        hollow |= (around_depth[there] > -limit_m - bank) & (around_own[there] > bank)
-    wakes = np.where(hollow, own, bank)
-    return np.where(sea, np.minimum(wakes, -1e-6), np.maximum(wakes, 0.0))
-
-
 def _update(level: Level, have: ShoreMap, at: int) -> ShoreMap:
     """The map with the changed windows worked out again against what stands round them."""
     rows, cols = have.packed.shape[:2]
@@ -267,24 +153,27 @@ def _update_window(level: Level, have: ShoreMap, window: Rect, fresh: Rect) -> N
     stride = have.stride
     ground = level.height[window.row0 * stride : window.row1 * stride : stride,
                           window.col0 * stride : window.col1 * stride : stride]  # fmt: skip
-    packed, least = bed_in(level, have, window, level.mean_sea_m - ground.astype(np.float32))
+    bed = bed_in(level, have, window, level.mean_sea_m - ground.astype(np.float32))
     inner = fresh.shifted(window)
-    have.packed[fresh.slices] = packed[inner.slices]
-    have.bottleneck[fresh.slices] = least[inner.slices]
+    for kept, made in ((have.packed, bed.packed), (have.bottleneck, bed.bottleneck), (have.falling, bed.falling)):
+        kept[fresh.slices] = made[inner.slices]
 
 
-def bed_in(level: Level, have: ShoreMap, window: Rect, depth: np.ndarray, every: int = 1):
-    """(packed, bottleneck) of a window of the map if its depth were this, against what stands round it.
+def bed_in(level: Level, have: ShoreMap, window: Rect, depth: np.ndarray, every: int = 1) -> Bed:
+    """A window of the map if its depth were this, against what stands round it.
 
     `depth` holds every `every`th sample of the window.
     """
     rim = np.ones(depth.shape, bool)
     rim[1:-1, 1:-1] = False
     skip = slice(None, None, every)
-    known = have.bottleneck[window.slices][skip, skip]
+    known, fell = (values[window.slices][skip, skip] for values in (have.bottleneck, have.falling))
     edge_of_level = np.zeros(have.packed.shape[:2], bool)
     edge_of_level[[0, -1]], edge_of_level[:, [0, -1]] = True, True
     outer = edge_of_level[window.slices][skip, skip] & (depth > 0)
-    marker = np.where(rim, np.where(outer, depth, known), -np.inf).astype(np.float32)
-    least = bottleneck(marker, depth)
-    return _pack(level.settings, depth, least, have.cell_m * every), least
+    least = bottleneck(np.where(rim, np.where(outer, depth, known), -np.inf).astype(np.float32), depth)
+    cell_m, toll, fallen = have.cell_m * every, toll_of(level.settings), least
+    if toll is not None:
+        marker = np.where(outer & ~(fell > 0), depth, fell)
+        fallen = falling(np.where(rim, marker, -np.inf).astype(np.float32), least, cell_m, toll)
+    return Bed(pack(level.settings, depth, least, fallen, cell_m), least, fallen)

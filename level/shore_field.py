@@ -20,7 +20,8 @@ from .beach import bare_beach, beach_reach
 from .grid import Rect
 from .level import Level, merge
 from .request import Parts, finished
-from .shore import open_edge, sea_seeds
+from .shore import sea_seeds
+from .shore_bed import open_edge
 from .shore_distance import NEAR, distance_in_parts, joined_water
 
 CELL_M = 0.5  # 4 texels a m² (H10)

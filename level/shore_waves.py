@@ -18,8 +18,10 @@ from .dual import Dual, positive, step
 from .loop import turns
 from .noise import LATTICE, value_noise
 from .settings import Shore
+from .shore_swash import looped, slope_reach, swash, wave_noise
 
 POOL_M = 0.2  # how far below the rim before it ground counts as a pool
+POOL_S = 0.97, 1.0  # and where such a rim stands: no wave goes on behind one
 LANDING_S = 0.85  # from here to the water line times of arrival become those of the shoreline
 SWASH_S = 0.55  # from here to the water line the level follows the swash
 
@@ -105,11 +107,6 @@ def clock_uniforms(shore: Shore, t: float, loop_s: float = 0.0) -> dict[str, flo
     }
 
 
-def uprush(shore: Shore) -> float:
-    """Part of an interval a wave takes from the water line to the run-up limit; waves closer than that overlap."""
-    return min(max(shore.count * shore.runup / (1 + shore.runup), 1e-3), 0.85)
-
-
 def shore_early(shore: Shore, x, y, sway: Dual, values: np.ndarray) -> Dual:
     """How much earlier waves arrive at a place, in intervals: noise, and the sway along the shore (H20)."""
     noise = (value_noise(values, x, y, 3 * shore.variety_m, (11, 37)) - 0.5) * (2 * shore.stagger)
@@ -131,11 +128,10 @@ def shore_masks(
     `values` is the level's noise lattice; `travel` says when waves come where that doesn't follow from the depth alone.
     `steep` is the gradient of the depth, smooth, where waves break (D34).
 
-    Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink into
-    a hole round each of them.
+    The edge on the sand stands on the bed's own contours; waves go over a bed without rocks, or the body would sink
+    into a hole round each of them, and foam flicker while its front races through the gaps.
     """
     clock = clock_uniforms(shore, t, loop_s)
-    s = 1.0 - bed["clock"].v / shore.range_m
     s_body = 1.0 - bed["smoothed"] * (1 / shore.range_m)
     sea = bed["sea"] * bed["within"]
     early = shore_early(shore, x, y, sway, values)
@@ -143,27 +139,27 @@ def shore_masks(
         early = early * step(0.0, 1.0, s_body)
     if later is not None:  # pins (T07)
         early = early - later
-    nearest = np.full(np.shape(s), 9.0)
-    a, b, *masks = np.zeros((5, *np.shape(s)))
-    lift = Dual(*np.zeros((3, *np.shape(s))))
+    nearest = np.full(np.shape(s_body.v), 9.0)
+    a, b, *masks = np.zeros((5, *np.shape(nearest)))
+    lift = Dual(*np.zeros((3, *np.shape(nearest))))
     breaks = None
     if steep is not None and shore.plunge > 0:
         breaks = BreakingWaves.begun(shore, s_cycles(shore), s_body, steep, travel and travel.swell(shore, s_body))
     along = height_along(s_body, travel)
-    for u, u_body, f, wave in _fronts(shore, clock, s, s_body, early, travel):
+    for u, f, wave in _fronts(shore, clock, s_body, early, travel):
         tall = 1.0 - wave_noise(shore, clock, values, x, y, wave) * shore.variety
-        a_here, b_here, *here = _wave(shore, u, f.v)
+        a_here, b_here, *here = _wave(shore, u.v, f.v)
         masks = [np.maximum(old, new) for old, new in zip(masks, here, strict=True)]
-        closer = np.abs(u) < nearest
-        nearest = np.where(closer, np.abs(u), nearest)
+        closer = np.abs(u.v) < nearest
+        nearest = np.where(closer, np.abs(u.v), nearest)
         a, b = np.where(closer, a_here, a), np.where(closer, b_here, b)
-        body = _body(shore, u_body, f)
+        body = _body(shore, u, f)
         if breaks is not None:
-            sooner = raggedness(shore, values, x, y, _looped(clock, wave))
-            body = breaks.broken(u_body, body, tall * along, sooner, here, closer)
+            sooner = raggedness(shore, values, x, y, looped(clock, wave))
+            body = breaks.broken(u, body, tall * along, sooner, here, closer)
         lift = lift + body * tall
     arrived = _arrived(shore, clock, early, travel)
-    run = _swash(shore, clock, arrived, values, x, y)
+    run = swash(shore, clock, arrived, values, x, y)
     if travel is not None and shore.runup_by_slope > 0:
         run = run * slope_reach(shore, travel.breaks.runup_m, travel.share)
     edge, rise = 1.0 + shore.runup * run.v, run * (shore.range_m * shore.runup)
@@ -173,7 +169,7 @@ def shore_masks(
     level = rise * step(SWASH_S, 1.0, s_body) * step(0.0, POOL_M, over)
     lift = (lift * along * shore.height_m + level) * sea
     on, moving = float(shore.on), float(shore.on and shore.vertex)
-    calm = 1.0 - 0.8 * _step(POOL_M, 5 * POOL_M, drop.v)
+    calm = 1.0 - 0.8 * _step(POOL_M, 5 * POOL_M, drop.v) * _step(*POOL_S, s_body.v)
     line, back, fall = (mask * calm * sea.v * on for mask in masks)
     come = ~before_waves(shore, bed)
     edge_s = 1.0 + (edge - 1.0) * moving * come
@@ -184,20 +180,20 @@ def shore_masks(
     return masks
 
 
-def _fronts(shore: Shore, clock: dict, s: np.ndarray, s_body: Dual, early: Dual, travel: Travel | None):
-    """(s after the front, the same of the water's body, the front's own s, number) of the waves about some points."""
+def _fronts(shore: Shore, clock: dict, s_body: Dual, early: Dual, travel: Travel | None):
+    """(s after the front, the front's own s, number) of the waves about some points."""
     if travel is None:
         for k in range(shore.count):
             c = (early + k) * (1 / shore.count) + clock["u_shore_clock"]
             cycle = np.floor(c.v)
             f = (c - Dual(cycle)) * (1 + shore.runup)
-            yield s - f.v, s_body - f, f, (clock["u_shore_cycle"] + cycle.astype(np.int64)) * shore.count - k
+            yield s_body - f, f, (clock["u_shore_cycle"] + cycle.astype(np.int64)) * shore.count - k
         return
     since = Dual(clock["u_shore_clock"] * shore.count) - lead_arrival(shore, s_body, early, travel)
     last = np.floor(since.v)
     for k in range(shore.count + 1):
         u = (Dual(last + 1.0 - k) - since) * (1 / s_cycles(shore))
-        yield u.v, u, s_body - u, clock["u_shore_cycle"] * shore.count + last.astype(np.int64) + 1 - k
+        yield u, s_body - u, clock["u_shore_cycle"] * shore.count + last.astype(np.int64) + 1 - k
 
 
 def _step(low: float, high: float, x: np.ndarray) -> np.ndarray:
@@ -231,53 +227,12 @@ def height_along(s: Dual, travel: Travel | None) -> Dual:
     return shape if travel is None else shape + (travel.height - shape) * travel.share
 
 
-def _looped(clock: dict, wave):
-    """Number of a wave among those of the loop."""
-    return np.mod(wave, clock["u_shore_turns"]) if clock["u_shore_turns"] else wave
-
-
-def wave_noise(shore: Shore, clock: dict, values: np.ndarray, x, y, wave) -> Dual:
-    """0 … 1 along the shore for the wave of this number: what it lacks in height and in reach."""
-    wave = _looped(clock, wave)
-    return value_noise(values, x, y, shore.variety_m, (wave * 17, wave * 29))
-
-
 def _arrived(shore: Shore, clock: dict, early: Dual, travel: Travel | None) -> Dual:
     """Waves that have passed the still water line since the cycle began."""
     shoreline = s_cycles(shore)
     if travel is not None:
         shoreline = (travel.shore - shoreline) * travel.share + shoreline
     return early - shoreline + clock["u_shore_clock"] * shore.count
-
-
-def _swash(shore: Shore, clock: dict, arrived: Dual, values: np.ndarray, x, y) -> Dual:
-    """How far the swash has run, 1 at the run-up limit: up with the front, back before the next one (D10).
-
-    It starts with the speed of its front, and gravity stops it: no corner where neighbours turn at different times.
-    The wave that is here now is the one whose front passed the water line last, and reaches as far as it is tall.
-    """
-    number = np.floor(arrived.v)
-    q = arrived - Dual(number)
-    wave = clock["u_shore_cycle"] * shore.count + number.astype(np.int64)
-    reach = 1.0 - wave_noise(shore, clock, values, x, y, wave) * shore.runup_variety
-    up = uprush(shore)
-    u = q * (1 / up)
-    rising = u * (1.0 + u * (1.0 - u))
-    falling = 1.0 - step(up, 1.0, q)
-    going_up = q.v < up
-    run = Dual(*(np.where(going_up, m, n) for m, n in zip(_parts(rising), _parts(falling), strict=True)))
-    return run * reach
-
-
-def slope_reach(shore: Shore, runup_m: Dual, share: float) -> Dual:
-    """Part of the run-up limit that waves reach at all, by the run-up on a beach of this slope; never more than 1."""
-    part = runup_m * (1 / max(shore.range_m * shore.runup, 1e-3))
-    part = Dual(*(np.where(part.v < 1, low, high) for low, high in zip(_parts(part), (1.0, 0.0, 0.0), strict=True)))
-    return 1.0 + (part - 1.0) * (shore.runup_by_slope * share)
-
-
-def _parts(x: Dual) -> tuple:
-    return x.v, x.dx, x.dy
 
 
 def front_speed_mps(shore: Shore, slope: float | np.ndarray) -> float | np.ndarray:

@@ -27,7 +27,8 @@ from .river_map import has_rivers, river_map
 from .river_water import River, river_at, river_uniforms
 from .sea_keys import fronts_at, largest_amplitude_m
 from .shore import ShoreMap, shore_map
-from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cycles, shore_masks, uprush
+from .shore_swash import uprush
+from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cycles, shore_masks
 from .spline import second_order
 from .uncarried import Moved, uncarried
 from .wave_lists import counted, wave_regions

@@ -11,7 +11,8 @@ from shorewright.level.objects import SeaPatch
 from shorewright.level.pick import ground_at
 from shorewright.level.shore import shore_map
 from shorewright.level.shore_field import decode_beach_m, shore_field
-from shorewright.level.shore_waves import before_waves, uprush
+from shorewright.level.shore_swash import uprush
+from shorewright.level.shore_waves import before_waves
 from shorewright.level.waves import sea_at, surface_at
 from shorewright.renderer import render
 

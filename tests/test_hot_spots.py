@@ -34,6 +34,7 @@ def test_an_even_beach_has_none():
 def test_flat_ground_races_and_says_which_slope_would_not():
     """T06: on 1 : 200 fronts run at range · (1 + runup) / (travel · slope), over the limit."""
     level = coast(lambda y: np.interp(y, [0, 60, 110, 192], [-8, -2.0, -1.75, 4]))
+    level.set("shore.flat_slope", 0.0)
     (spot,) = spots(level, "too_fast")
     shore, limit = level.settings.shore, level.settings.timing.fast_mps
     across = shore.range_m * (1 + shore.runup) / (shore.interval_s * shore.count)

@@ -18,6 +18,7 @@ uniform float u_shore_on, u_shore_vertex;
 const float SWASH_S = 0.55;
 const float LANDING_S = 0.85;  // from here to the water line times of arrival become those of the shoreline
 const float POOL_M = 0.2;  // how far below the rim before it ground counts as a pool
+const vec2 POOL_S = vec2(0.97, 1.0);  // and where such a rim stands: no wave goes on behind one
 
 struct ShoreMasks {
     float a, b, line, back, fall;
@@ -116,34 +117,7 @@ vec3 swash_arrived(vec2 xy, vec3 early) {
 #endif
 }
 
-// How far along its way up and back a wave is at phase q: 0 at the still water line, 1 where it turns. It goes up with the
-// speed of its front, and gravity stops it.
-vec3 swash_run(vec3 q) {
-    if (q.x >= u_shore_uprush) return d_const(1.0) - d_step(u_shore_uprush, 1.0, q);
-    vec3 u = q / u_shore_uprush;
-    return vec3(u.x * (1.0 + u.x * (1.0 - u.x)), (1.0 + u.x * (2.0 - 3.0 * u.x)) * u.yz);
-}
-
-// Where the wave of this number turns, against the run-up limit.
-vec3 swash_reach(vec2 xy, int wave) { return d_const(1.0) - wave_noise(xy, wave) * u_shore_runup_variety; }
-
-// Part of the run-up limit that waves reach at all, by the slope of the beach; a dual.
-vec3 slope_reach(vec2 xy) {
-#ifdef TRAVEL_TIME
-    if (u_shore_runup_by_slope <= 0.0) return d_const(1.0);
-    vec3 part = breaks_at(xy).runup_m / max(u_shore_range_m * u_shore_runup, 1e-3);
-    part = part.x < 1.0 ? part : d_const(1.0);
-    return d_const(1.0) + (part - d_const(1.0)) * (u_shore_runup_by_slope * u_arrival_share);
-#else
-    return d_const(1.0);
-#endif
-}
-
-// How far the swash has run, 0 at the still water line, 1 at the run-up limit.
-vec3 shore_swash(vec2 xy, vec3 arrived) {
-    int wave = u_shore_cycle * u_shore_count + int(floor(arrived.x));
-    return d_mul(swash_run(vec3(fract(arrived.x), arrived.yz)), swash_reach(xy, wave));
-}
+#include "level/shore_swash.glsl"
 
 // True where no wave has come yet: it is deeper than the tail of the outermost one, and every mask and the lift are 0.
 bool before_waves(Bed bed) {
@@ -155,8 +129,8 @@ bool before_waves(Bed bed) {
 }
 
 ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
-    // Lines stand on the bed's own contours; the water's body is lifted over a bed without rocks, or it would sink
-    // into a hole round each of them.
+    // The edge on the sand stands on the bed's own contours; waves go over a bed without rocks, or the body would sink
+    // into a hole round each of them, and foam flicker while its front races through the gaps.
     float s = 1.0 - bed.clock.x / u_shore_range_m;
     vec3 s_body = d_const(1.0) - bed.smoothed / u_shore_range_m;
 #ifdef PLUNGE
@@ -206,7 +180,7 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
         vec3 c = (early + d_const(float(k))) / float(u_shore_count) + d_const(u_shore_clock);
         float cycle = floor(c.x);
         vec3 f = (c - d_const(cycle)) * (1.0 + u_shore_runup), u_body = s_body - f;
-        float u = s - f.x;
+        float u = u_body.x;
         int wave = (u_shore_cycle + int(cycle)) * u_shore_count - k;
 #endif
         vec3 tall = d_const(1.0) - wave_noise(xy, wave) * u_shore_variety;
@@ -223,7 +197,7 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
             nearest = away;
             m.a = a;
             m.b = b;
-            m.front = f.x;
+            m.front = s - u;
         }
         vec3 body = shore_body(u_body, f);
 #ifdef PLUNGE
@@ -242,7 +216,8 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
         m.lift += d_mul(body, tall);
     }
     vec3 drop = bed.depth - bed.clock;  // how far the bed lies below the rim that its waves came over
-    masks *= (1.0 - 0.8 * smoothstep(POOL_M, 5.0 * POOL_M, drop.x)) * sea.x * u_shore_on;
+    float calm = 1.0 - 0.8 * smoothstep(POOL_M, 5.0 * POOL_M, drop.x) * smoothstep(POOL_S.x, POOL_S.y, s_body.x);
+    masks *= calm * sea.x * u_shore_on;
     m.line = masks.x;
     m.back = masks.y;
     m.fall = masks.z;
@@ -260,7 +235,7 @@ ShoreMasks shore_masks(Bed bed, vec3 sway, vec2 xy) {
     ahead_m = d_mul(d_mul(ahead_m, ashore), sea) * moving;
     m.shift_x = d_mul(m.breaker.east, ahead_m);
     m.shift_y = d_mul(m.breaker.north, ahead_m);
-    m.white *= (1.0 - 0.8 * smoothstep(POOL_M, 5.0 * POOL_M, drop.x)) * sea.x * u_shore_on;
+    m.white *= calm * sea.x * u_shore_on;
 #endif
     m.edge_s = 1.0 + u_shore_runup * run.x * moving;
     return m;

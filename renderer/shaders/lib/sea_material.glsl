@@ -14,13 +14,13 @@ float water_column(Sea sea, float height) { return sea.bed.depth.x + height - u_
 // Ripples die out in thin sheets.
 float ripple_share(float column) { return mix(0.10, 1.0, smoothstep(0.02, 1.6, column)); }
 
-// Way of the water at the surface, m/s: the bore carries it up the beach, behind it the sheet drains.
+const float DRIFT_MPS = 0.3;  // bores carry more up the beach than drains back between them
+
+// Way of the water at the surface, m/s. It knows nothing of the single front: foam is moved by it over seconds, and where
+// it changes within metres it would be drawn out into teeth.
 vec2 surface_flow(Sea sea) {
     vec2 uphill = -sea.bed.smoothed.yz;
-    float steep = length(uphill);
-    if (steep < 1e-4) return vec2(0.0);
-    float broken = smoothstep(BREAKS_S, BROKEN_S, sea.shore.s) * u_shore_on;
-    return uphill / steep * (broken * mix(-0.25, 0.9, clamp(sea.shore.line + sea.shore.fall, 0.0, 1.0)));
+    return uphill / max(length(uphill), 0.02) * (smoothstep(BREAKS_S, BROKEN_S, sea.shore.s) * u_shore_on * DRIFT_MPS);
 }
 
 // Where foam lies on a shore wave: carried on by as much as the wave stands there, so that it is not drawn out down its
@@ -74,17 +74,32 @@ vec2 foam_painted(vec2 painted, ShoreMasks m) {
 }
 
 const float RIDES_S = 0.80, CARRIED_S = 0.96;  // share of the range over which foam begins to ride the sheet
-const float MOST_CARRIED_M = 16.0;             // on a flat it would be torn
+const float MOST_CARRIED_M = 5.0;              // on a flat it would be torn
+const float BROAD_M = 22.0;                    // half the length over which the way up the beach is taken
 
-// Foam on the beach is carried up with the sheet and back by the shore's own phase (H20).
-void ride_the_sheet(Sea sea, float steep) {
+// Way up the beach times its slope, over so broad a piece of it that rocks turn nothing.
+vec2 broad_uphill(vec2 xy) {
+    vec2 size = vec2(textureSize(u_bed, 0)), at = xy / u_bed_cell_m + 0.5, off = vec2(BROAD_M / u_bed_cell_m, 0.0);
+    vec4 depths = vec4(textureLod(u_bed, (at - off) / size, 0.0).a, textureLod(u_bed, (at + off) / size, 0.0).a,
+                       textureLod(u_bed, (at - off.yx) / size, 0.0).a, textureLod(u_bed, (at + off.yx) / size, 0.0).a);
+    depths = max(depths, 0.0);  // a rock that stands out is no beach
+    return (depths.xz - depths.yw) / (2.0 * BROAD_M);
+}
+
+// Foam on the beach is carried up with the sheet and back by the shore's own phase (H20). Places that move with it lie
+// close together: were they carried as far as each one's own slope says, foam would be combed into teeth up the beach.
+void ride_the_sheet(Sea sea, vec2 before) {
     ShoreMasks m = sea.shore;
-    float phase = swash_phase(m), share = smoothstep(RIDES_S, CARRIED_S, m.s) * sea.bed.sea.x * u_shore_on * u_shore_vertex;
-    float way_m = min(max(m.edge_s - 1.0, 0.0) * u_shore_range_m / steep, MOST_CARRIED_M);
+    float s = 1.0 - sea.bed.smoothed.x / u_shore_range_m;
+    float phase = swash_phase(m), share = smoothstep(RIDES_S, CARRIED_S, s) * sea.bed.sea.x * u_shore_on * u_shore_vertex;
     float number = floor(m.arrived) + float(u_shore_cycle * u_shore_count);
     beach_ride = vec3(phase, u_shore_turns > 0 ? float(looped_wave(int(number))) : number, share);
     beach_turns = float(u_shore_turns);
-    beach_carried = -sea.bed.smoothed.yz * (way_m * smoothstep(SWASH_S, 1.0, m.s) / max(length(sea.bed.smoothed.yz), 1e-4));
+    if (share <= 0.0) return;
+    vec2 uphill = broad_uphill(before);
+    float steep = max(length(uphill), 0.06);
+    float way_m = min(max(m.edge_s - 1.0, 0.0) * u_shore_range_m / steep, MOST_CARRIED_M);
+    beach_carried = uphill / steep * (way_m * smoothstep(0.0, 1.0, s));
 }
 
 // Foam that the pushed water makes at this pixel (D18).
@@ -148,7 +163,7 @@ Foam sea_foam(Sea sea, vec2 before, float column, float sharp, vec2 painted, vec
     clean = waves ? clean : 1.0;
     float amount = 1.0 - (1.0 - saturate((1.0 - clean) * u_foam_amount)) * (1.0 - paint * (0.34 + 0.26 * back));
     amount *= 1.0 - u_quiet_foam * current.b;
-    ride_the_sheet(sea, steep);
+    ride_the_sheet(sea, before);
     vec2 flow = surface_flow(sea) + current.rg;
     Foam foam = foam_at(before, amount, max(crest, rim), rim, flow, u_sun_direction.xy, pixel_m);
     foam.cover = max(foam.cover, veil);
