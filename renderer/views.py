@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from ..level import LAYERS, BadInput
 from .cloud_views import CLOUD_VIEWS
+from .river_views import RIVER_VIEWS
 from .view_row import RAMPS as RAMPS
 from .view_row import View
 
@@ -135,8 +136,9 @@ VIEWS: dict[str, View] = {
              "grey", 0, 0.5, ids="L06"),
         View("flow", "Flow", "The whole current, 1 m/s to full: red east, green north; grey is none.",
              "vec3(current_at(s.before).rg * 0.5 + 0.5, 0.5) * (0.3 + 0.7 * on_sea)", "direct", ids="D05 D06"),
-        View("flow_speed", "Flow speed", "Speed of the current, 1 m/s to white.",
-             "vec3(on_sea * length(current_at(s.before).rg))", ids="D05"),
+        View("flow_speed", "Flow speed", "White where a river is so fast that its foam is full; in the sea the speed, "
+             "1 m/s to white.", "vec3(on_sea * flow_speed_shown(sea, s.before))", ids="D05 D15"),
+        *RIVER_VIEWS,
         View("foam_shore", "Foam: shore", "Constant foam by the distance to the shore, before it is torn.",
              "vec3(on_sea * foam_of_shore(current_at(s.before).a, 1.0))", ids="H18"),
         View("foam_height", "Foam: height", "Foam on the highest water.",

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from shorewright.level import LAYERS, BadInput, Grid, Level, Rect
 from shorewright.level.meshes import block
-from shorewright.level.objects import Camera, Disturbance, Hit, Mover, PointLight, Prop
+from shorewright.level.objects import Camera, Disturbance, Hit, Mover, PointLight, Prop, River
 from shorewright.renderer import SHOW_FLAGS, VIEWS, Overlays, Renderer, Ring, Show, render
 from shorewright.renderer.show import FrontLines
 
@@ -35,6 +35,8 @@ def small_coast():
     ):
         level.put_object(thing.id, thing)
     level.put_mesh("block", block())
+    fall = ((0, 0, 12, 5, 3), (0, -9, 12, 4.9, 3), (-1, -13, 12, 3.2, 3), (-4, -40, 12, 0, 1))
+    level.put_object("river", River(id="river", x=132, y=104, points=fall))
     level.set("weather.precipitation", 0.6)  # for the views alone: there are no clouds
     level.set("weather.temperature_c", 1.0)
     level.set("foam.height_low", -0.5)  # foam on all offshore waves: those of so small a sea are low
