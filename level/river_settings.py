@@ -12,9 +12,9 @@ class RiverLook(Section):
     wave_m: float = param(0.06, 0, 1, "m", "Height of the waves that run down it where it is rough.", soft=(0, 0.3))
     wave_length_m: float = param(4.0, 0.3, 60, "m", "Their length.", soft=(1, 15))
     wave_speed: float = param(1.0, 0, 4, "×", "Their speed against deep-water dispersion.", soft=(0.25, 2))
-    silt: float = param(0.8, 0, 1000, "g/m³", "Fine mineral grains that it carries besides the sea's.", soft=(0, 30))
+    silt: float = param(0.5, 0, 1000, "g/m³", "Fine mineral grains that it carries besides the sea's.", soft=(0, 30))
     humus: float = param(
-        0.10, 0, 20, "1/m", "Absorption of blue light by what it washes out of the soil: yellow, then brown.",
+        0.04, 0, 20, "1/m", "Absorption of blue light by what it washes out of the soil: yellow, then brown.",
         soft=(0, 4),
     )  # fmt: skip
     interval_s: float = param(
@@ -28,8 +28,8 @@ class RiverLook(Section):
     ripple_still: float = param(0.012, 0, 1, "", "Slope of those on water that stands.", soft=(0, 0.1))
     ripple_m: float = param(3.2, 0.2, 60, "m", "Size of one tile of them.", soft=(1, 10))
     speed_foam: float = param(0.62, 0, 1, "", "Foam where the water is fast.")
-    speed_low_mps: float = param(1.1, 0, 20, "m/s", "Speed at which it begins.", soft=(0, 4))
-    speed_high_mps: float = param(3.2, 0, 20, "m/s", "Speed at which it is whole.", soft=(0.5, 6))
+    speed_low_mps: float = param(1.0, 0, 20, "m/s", "Speed at which it begins.", soft=(0, 4))
+    speed_high_mps: float = param(3.6, 0, 20, "m/s", "Speed at which it is whole.", soft=(0.5, 6))
     fall_foam: float = param(1.0, 0, 1, "", "Foam where the surface leans: on falls.")
     fall_low_deg: float = param(7.0, 0, 89, "°", "Lean of the surface at which it begins.", soft=(0, 45))
     fall_high_deg: float = param(24.0, 0.1, 90, "°", "Lean at which it is whole.", soft=(1, 60))
@@ -38,11 +38,11 @@ class RiverLook(Section):
     turbulent_albedo: float = param(1.0, 0, 1.2, "×", "How bright it is against the sea's foam.")
     streak_m: float = param(1.8, 0, 20, "m", "How long it is drawn out down the flow at 1 m/s.", soft=(0, 6))
     stagnant: float = param(1.0, 0, 2, "×", "Painted stagnant foam.")
-    stagnant_still: float = param(0.22, 0, 1, "", "Stagnant foam that gathers by itself where water is slow.")
+    stagnant_still: float = param(0.18, 0, 1, "", "Stagnant foam that gathers by itself where water is slow.")
     stagnant_mps: float = param(0.25, 0.01, 5, "m/s", "Speed by which it has been carried off.", soft=(0.05, 1))
     stagnant_tile_m: float = param(7.0, 0.3, 100, "m", "Size of a tile of stagnant foam.", soft=(1, 20))
-    stagnant_albedo: float = param(0.34, 0, 1, "", "How bright it is.")
-    stagnant_algae: float = param(0.45, 0, 1, "", "Its colour: 0 scum, 1 green algae.")
+    stagnant_albedo: float = param(0.2, 0, 1, "", "How bright it is.")
+    stagnant_algae: float = param(0.5, 0, 1, "", "Its colour: 0 scum, 1 green algae.")
     stagnant_shadow: float = param(0.6, 0, 1, "", "How dark its shade is on the bed.")
     cut_mps: float = param(
         0.25, 0.01, 10, "m/s", "Push of what wades and bursts that cuts all of it; less leaves a part.", soft=(0.05, 2)

@@ -97,7 +97,7 @@ void main() {
     vec4 current = current_at(before), force = force_at(sea.position.xy);
 #ifdef RIVERS
     Stream stream = stream_at(sea.river, before, current.rg, force.xy, pixel_m);
-    river_water = stream.share;
+    river_water = stream.tinted;
     rippled = mix(rippled, smoothstep(0.0, 0.2, column), stream.own);
     ripple = mix(ripple, river_ripples(stream, before, long_m), stream.own);
 #endif

@@ -16,6 +16,7 @@ uniform float u_river_stagnant_albedo, u_river_stagnant_algae, u_river_stagnant_
 // What a river does at a place.
 struct Stream {
     float share;  // of its water, far out into the sea
+    float tinted; // likewise, by its colour: out there it mixes with the sea's from its sides
     float own;    // 1 where its rules alone hold, 0 where the sea's waves come whole
     vec2 raw;     // current, m/s
     vec2 eddies;  // curl noise
@@ -61,7 +62,9 @@ Stream stream_at(River river, vec2 before, vec2 current, vec2 force, float pixel
     vec3 level = river_level(before, way);
     float share = smoothstep(0.0, 0.6, river.share), own = share * (1.0 - river.waves.x);
     if (u_river_curl > 0.0) eddies = share * curl_noise(before, length(current), pixel_m);
-    return Stream(share, own, current, eddies, current + eddies + force, degrees(atan(length(level.yz))), river.rough);
+    float mixed = smoothstep(0.1, 0.9, length(current) + 0.5 * (noise_at(before, 23.0, pixel_m).g - 0.5));
+    float tinted = share * mix(1.0, mixed, river.waves.x);
+    return Stream(share, tinted, own, current, eddies, current + eddies + force, degrees(atan(length(level.yz))), river.rough);
 }
 
 // Two copies half a cycle apart, as foam_places has them, with the river's own cycle: metres to where each is read, tiles
@@ -111,10 +114,13 @@ Foam turbulent_foam(vec2 xy, vec2 flow, float amount, float pixel_m) {
         sum += 0.25 * river_tiled(u_noise, at, 1.6 * tile_m, foam_lod(1.6 * tile_m, pixel_m), way, jump, weight, vec4(0.5));
     }
     float thread = clamp(0.5 + 1.7 * (0.6 * sum.g + 0.4 * sum.b - 0.5), 0.0, 1.0);
+    // boils and slicks: what rises between them is clear
+    amount = mix(saturate(amount * (0.1 + 1.8 * smoothstep(0.2, 0.8, sum.r))), amount, amount * amount);
     vec4 torn = fields;
     torn.rgb = clamp(0.5 + 0.55 * (fields.rgb - 0.5) + 0.75 * (thread - 0.5), 0.0, 1.0);
     float cover = foam_cover(torn, amount, lod);
-    cover = saturate(cover * (0.72 + 0.25 * fields.a + 0.18 * fields.g));
+    // on a fall, white all over, the threads alone show which way it goes
+    cover = saturate(cover * (0.72 + 0.25 * fields.a + 0.18 * fields.g) * mix(0.74, 1.12, thread));
     return Foam(cover, amount, smoothstep(0.1, 0.8, amount), saturate(0.25 + 0.5 * thread + 0.5 * (fields.b - 0.5)), 0.7);
 }
 
@@ -127,7 +133,7 @@ Foam stagnant_foam(vec2 xy, vec2 flow, float amount, float pixel_m) {
     vec4 fields = river_tiled(u_foam, xy, tile_m, lod + 1.0, way, jump, weight, vec4(0.5, 0.5, 0.5, 0.35));
     vec4 rafts = river_tiled(u_noise, xy, 2.3 * tile_m, foam_lod(2.3 * tile_m, pixel_m), way, jump, weight, vec4(0.5));
     float film = clamp(0.5 + 1.15 * (0.55 * rafts.g + 0.25 * rafts.b + 0.2 * (1.0 - fields.b) - 0.5), 0.0, 1.0);
-    float wide = mix(0.09, 0.6, smoothstep(1.0, 6.0, lod));
+    float wide = mix(0.13, 0.6, smoothstep(1.0, 6.0, lod));
     float cover = smoothstep(-wide, wide, film - (1.0 - amount)) * smoothstep(0.0, 0.1, amount);
     cover *= mix(0.55, 0.95, smoothstep(0.0, 0.5, film - (1.0 - amount) + 0.3 * fields.g));
     return Foam(cover, amount, 0.0, saturate(0.35 + 0.4 * fields.g), 0.0);
