@@ -11,6 +11,7 @@ import math
 
 import numpy as np
 
+from .river_settings import RiverLook
 from .settings import Water
 
 WAVELENGTH_NM = np.array([650.0, 550.0, 450.0])
@@ -40,3 +41,12 @@ def backscatter(water: Water) -> np.ndarray:
         share = 0.002 + 0.02 * (0.5 - 0.25 * math.log10(water.plankton)) * 550.0 / WAVELENGTH_NM
         back = back + np.maximum(share, 0.002) * 0.30 * water.plankton**0.62
     return back
+
+
+def river_added(river: RiverLook) -> tuple[np.ndarray, np.ndarray]:
+    """Absorption and scattering that turns light back, 1/m, that a river's water has besides the sea's (D35).
+
+    Dissolved humus takes blue light: exp(−0.014 (λ − 440 nm)) (Bricaud et al. 1981).
+    """
+    humus = river.humus * np.exp(-0.014 * (WAVELENGTH_NM - 440.0))
+    return SILT_ABSORPTION * river.silt + humus, SILT_BACKWARDS * SILT_SCATTERING * river.silt

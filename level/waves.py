@@ -182,7 +182,10 @@ def surface_at(
     bed, sand, masks = here.bed, here.sand, here.masks
     lift = masks.lift if here.river is None else masks.lift + here.river.rise
     if force is not None:
-        lift = lift + force.lift(after_x, after_y) * bed["sea"] * step(0.0, 0.5, bed["depth"])
+        floats, depth = bed["sea"], bed["depth"]
+        if here.river is not None:
+            floats, depth = floats * (1 - here.river.share) + here.river.share, depth + here.river.rise
+        lift = lift + force.lift(after_x, after_y) * floats * step(0.0, 0.5, depth)
     sheet = point.z.v + lift.v - _under(level, bed, sand)
     # H10: the higher of the two, with its slope
     held = np.where(sheet < 0, beach_contact(level, after_x, after_y).v, 0.0)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from contextlib import contextmanager
 
+from ..level.river_map import has_rivers
 from ..level.waves import largest_height_m
 
 HIGHEST_M = 3.0  # over the sea: what is lower may lie under water in one moment or another
@@ -20,7 +21,7 @@ def low_m(frame) -> float:
 def water_rows(frame, rows: int) -> int:
     """How many of so many rows, from the lowest up, can show water or land as low; all where waves top the camera."""
     rise = float(frame.matrices.ray_y[2])
-    if _above_waves(frame) <= 0 or rise <= 1e-6:
+    if _above_waves(frame) <= 0 or rise <= 1e-6 or has_rivers(frame.level):  # they may run above the camera
         return rows
     horizon = -float(frame.matrices.ray_centre[2]) / rise
     return min(max(math.ceil((horizon * 0.5 + 0.5 + MARGIN) * rows), 0), rows)

@@ -12,7 +12,7 @@ from ..level.gerstner import groups
 from ..level.loop import CAP_LIFE_S, RIPPLES, looped, moment, ripple_period_s, turns
 from ..level.settings import Sea
 from ..level.sun import light_angles
-from ..level.water_optics import absorption, backscatter
+from ..level.water_optics import absorption, backscatter, river_added
 from .day_light import exposure_ev, white_k
 from .sky_light import SkyLight, sky_light
 
@@ -132,6 +132,21 @@ def _foam(settings: Settings, time_s: float) -> dict:
     }
 
 
+def _rivers(settings: Settings, time_s: float) -> dict:
+    """The cycle of what rivers carry, and what colours their water."""
+    loop_s, asked_s = settings.time.loop_s, settings.river.interval_s
+    interval_s = looped(asked_s, loop_s)
+    cycles = moment(time_s, loop_s) / interval_s
+    whole = math.floor(cycles)
+    absorb, back = river_added(settings.river)
+    return {
+        "u_river_cycle": (cycles - whole, whole % FOAM_CYCLES, interval_s if settings.flow.on else 0.0),
+        "u_river_turns": float(turns(asked_s, loop_s)),
+        "u_river_absorb": absorb.astype(np.float32),
+        "u_river_back": back.astype(np.float32),
+    }
+
+
 def whitecap_share(wind_mps: float) -> float:
     """Share of the open sea that is white: 3.84e-6 U^3.41 (Monahan & O'Muircheartaigh 1980), none in light wind."""
     return min(3.84e-6 * wind_mps**3.41, 0.6) * min(max(wind_mps - LIGHT_MPS, 0.0), 1.0)
@@ -180,4 +195,5 @@ def look_uniforms(settings: Settings, time_s: float, sky: SkyLight | None = None
         **_ripples(settings, time_s),
         **_foam(settings, time_s),
         **_whitecaps(settings, time_s),
+        **_rivers(settings, time_s),
     }

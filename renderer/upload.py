@@ -13,7 +13,7 @@ from ..level.flow import current
 from ..level.layers import LAYERS, WEATHER_GRID
 from ..level.level import merge
 from ..level.patches import patch_kinds
-from ..level.river_map import RiverMap, river_map
+from ..level.river_map import RiverMap, has_rivers, river_map
 from ..level.shore import ShoreMap, shore_map
 from ..level.shore_field import shore_field
 from ..level.tables import tables
@@ -25,7 +25,8 @@ from .bounds import HeightBounds
 class Uploader:
     """`textures` by sampler name, `bytes` sent, `sent` by name.
 
-    Names are `u_height`, `u_bed`, `u_beach`, `u_tables`; when asked for `u_layer_NAME`, `u_walkable`, `u_shore_field`.
+    Names are `u_height`, `u_bed`, `u_beach`, `u_tables`; when asked for `u_layer_NAME`, `u_layer_foams`,
+    `u_walkable`, `u_shore_field`.
     """
 
     def __init__(self, ctx) -> None:
@@ -134,6 +135,24 @@ class Uploader:
                 texture.repeat_x = texture.repeat_y = True
         self.seen[key] = level.layer_revision(name)
         return self.textures[sampler]
+
+    def foam(self, level: Level):
+        """Painted foam: the sea's two channels and, where the level has rivers, theirs after them (D14)."""
+        if not has_rivers(level):
+            return self.layer(level, "foam")
+        name, names = "u_layer_foams", ("foam", "river_foam")
+        layers = [level.layers[layer] for layer in names]
+        if all(layer.neutral for layer in layers):
+            if self.seen.get("foams") != "neutral":
+                self._whole(name, np.zeros((1, 1, 4), np.float32), "f2")
+                self.seen["foams"] = "neutral"
+            return self.textures[name]
+        fresh = self._refit(name, (*level.grid.shape, 4), "f2") or not isinstance(self.seen.get("foams"), int)
+        rects = [level.grid.rect] if fresh else [r for n in names for r in level.changed_since(n, self.seen["foams"])]
+        for rect in rects:
+            self._send(name, np.concatenate([layer.read(rect) for layer in layers], -1), rect, "f2")
+        self.seen["foams"] = level.revision
+        return self.textures[name]
 
     def weather_noise(self, level: Level, make):
         """The noise of the weather's simulation (Z05), RGBA16F, tiling."""

@@ -12,6 +12,7 @@ from __future__ import annotations
 from ..level import LAYERS, BadInput
 from .cloud_views import CLOUD_VIEWS
 from .mouth_views import MOUTH_VIEWS
+from .river_views import RIVER_VIEWS
 from .view_row import RAMPS as RAMPS
 from .view_row import View
 
@@ -139,8 +140,9 @@ VIEWS: dict[str, View] = {
              "grey", 0, 0.5, ids="L06"),
         View("flow", "Flow", "The whole current, 1 m/s to full: red east, green north; grey is none.",
              "vec3(current_at(s.before).rg * 0.5 + 0.5, 0.5) * (0.3 + 0.7 * on_sea)", "direct", ids="D05 D06"),
-        View("flow_speed", "Flow speed", "Speed of the current, 1 m/s to white.",
-             "vec3(on_sea * length(current_at(s.before).rg))", ids="D05"),
+        View("flow_speed", "Flow speed", "White where a river is so fast that its foam is full; in the sea the speed, "
+             "1 m/s to white.", "vec3(on_sea * flow_speed_shown(sea, s.before))", ids="D05 D15"),
+        *RIVER_VIEWS,
         View("flow_faults", "Flow: faults", "Red where the current runs into land, blue where water comes from nowhere "
              "or vanishes, a quarter of a cell's speed to full; green its speed, 4 m/s to full.",
              "on_sea * flow_faults(s.before)", "direct", ids="T02"),

@@ -37,6 +37,8 @@ def small_coast():
     level.put_mesh("block", block())
     fall = ((0, 0, 10, 4.6, 3), (-6, -9, 10, 4.5, 3), (-7, -13, 10, 1.2, 3), (-8, -40, 10, 0, 0.05))
     level.put_object("river", River(id="river", x=66, y=104, points=fall))
+    fall = ((0, 0, 12, 5, 3), (0, -9, 12, 4.9, 3), (-1, -13, 12, 3.2, 3), (-4, -40, 12, 0, 1))
+    level.put_object("creek", River(id="creek", x=132, y=104, points=fall))
     level.set("weather.precipitation", 0.6)  # for the views alone: there are no clouds
     level.set("weather.temperature_c", 1.0)
     level.set("foam.height_low", -0.5)  # foam on all offshore waves: those of so small a sea are low

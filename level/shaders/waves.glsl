@@ -77,7 +77,12 @@ Sea sea_surface(vec2 before) {
     vec3 lift = shore.lift;
     const float still = 0.0;
 #endif
+#ifdef RIVERS
+    vec3 floats = bed.sea * (1.0 - river.share) + d_const(river.share), depth = bed.depth + river.rise;
+    lift += d_mul(d_mul(force_lift(after), floats), d_step(0.0, 0.5, depth));
+#else
     lift += d_mul(d_mul(force_lift(after), bed.sea), d_step(0.0, 0.5, bed.depth));
+#endif
     float rise = p.z.x + lift.x, sheet = rise - beach_under(bed, beach);
     float held = sheet < 0.0 ? beach_contact(after).x : 0.0;  // H10: the higher of the two, with its slope
     vec2 up = mix(lift.yz, beach.sand.yz, held);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...level.river_map import has_rivers
 from ..below import lowest_rows, water_rows
 from ..frame import Frame
 from . import reflections
@@ -21,10 +22,10 @@ def quiet_defines(frame: Frame) -> dict[str, str]:
 
 def draw(frame: Frame) -> None:
     frame.targets.hdr.use()
-    quiet = quiet_defines(frame)
+    quiet, rivers = quiet_defines(frame), {"RIVERS": ""} if has_rivers(frame.level) else {}
     if land_first(frame):  # it is lit already (H12)
         with lowest_rows(frame.targets.hdr, water_rows(frame, frame.size[1])):
-            frame.shader("light.glsl", SEA_ALONE="", **reflections.defines(frame), **quiet).fullscreen()
+            frame.shader("light.glsl", SEA_ALONE="", **reflections.defines(frame), **quiet, **rivers).fullscreen()
         return
     frame.targets.hdr.clear()
     white = {"WHITE": ""} if frame.view.scene == "white" else {}

@@ -6,6 +6,7 @@ with views bent by its waves. The light pass then has only the sea left to light
 
 from __future__ import annotations
 
+from ...level.river_map import has_rivers
 from ..below import low_m, lowest_rows, water_rows
 from ..frame import Frame
 from . import reflections
@@ -44,7 +45,8 @@ def draw(frame: Frame) -> None:
     plates.clear()
     plates.viewport = (0, 0, width, height)
     with lowest_rows(plates, rows):
-        frame.shader("plate.glsl", DOWN="").fullscreen()
+        rivers = {"RIVERS": ""} if has_rivers(frame.level) else {}
+        frame.shader("plate.glsl", DOWN="", **rivers).fullscreen()
         # what lamps light may be any number of times as bright as the day makes white
         frame.uniforms["u_bed_most"] = 1e5 if draw_under(frame) else 3.0
     with lowest_rows(targets.plate_half, rows):

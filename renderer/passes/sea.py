@@ -149,7 +149,7 @@ def water_shown(frame: Frame) -> bool:
 def bind_water(frame: Frame) -> None:
     """What the sea's shaders read of painted layers and of the current."""
     uploader = frame.renderer.uploader
-    frame.textures["u_layer_foam"] = uploader.layer(frame.level, "foam")
+    frame.textures["u_layer_foam"] = uploader.foam(frame.level)
     frame.textures["u_current"] = uploader.current(frame.level, points_change(frame.level, frame.time_s))
     frame.uniforms["u_current_cell_m"] = current(frame.level).cell_m
 

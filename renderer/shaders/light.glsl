@@ -38,6 +38,12 @@ vec3 in_the_water(vec3 mirrored, Surface s, vec3 relative, vec3 mirror) {
 #ifdef REFLECTIONS
     land = land_mirrored(relative, mirror, s.roughness, known) * u_water_reflections;
     known *= u_water_reflections;
+#ifdef RIVERS
+    // what stands higher than waves reach mirrors in a plane of its own
+    float same = 1.0 - smoothstep(0.5, 1.0, (relative.z + u_camera.z - u_sea_now_m) / max(u_low_m, 0.5));
+    land *= same;
+    known *= same;
+#endif
 #endif
     if (known < 1.0) {
         float coast = land_in_mirror(u_camera + relative, normalize(vec3(mirror.xy, max(mirror.z, 0.02))));

@@ -11,6 +11,9 @@ out vec4 out_plate;
 #include "lib/sky.glsl"
 #include "lib/sea_below.glsl"
 uniform sampler2D hdr;
+#ifdef RIVERS
+#include "level/river.glsl"
+#endif
 const float OUT_OF_WATER = 0.002;  // weight of what stands higher than waves reach, so that no weight is nothing
 
 void main() {
@@ -24,6 +27,10 @@ void main() {
         vec3 position = u_camera + (u_ray_centre + clip.x * u_ray_x + clip.y * u_ray_y) * eye_depth;
         if (eye_depth > 0.0) pixel_m = min(pixel_m, eye_depth * u_pixel_angle);
         float depth = u_sea_now_m - position.z;
+#ifdef RIVERS
+        River river = river_at(position.xy);
+        depth += river.share > 0.5 ? river.still : 0.0;
+#endif
         float weight = eye_depth > 0.0 ? mix(OUT_OF_WATER, 1.0, smoothstep(-1.5, -0.5, depth)) : OUT_OF_WATER;
         vec3 light = texelFetch(hdr, pixel, 0).rgb;
         if (depth > 0.0 && eye_depth > 0.0) bed += vec4(position.xy, depth, 1.0);

@@ -17,6 +17,9 @@
 #include "lib/sea_below.glsl"
 #include "lib/sheet.glsl"
 #include "lib/rings.glsl"
+#ifdef RIVERS
+#include "lib/river.glsl"
+#endif
 uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
 uniform vec2 u_apron;  // metres the land goes on beyond the level, metres it sinks
@@ -47,7 +50,8 @@ void fade_surf(inout Sea sea) {
     sea.bed.depth.x = max(sea.bed.depth.x, u_apron.y * open_sea * open_sea);
 }
 
-vec2 painted_foam(vec2 xy) { return u_show_painted_foam ? layer_at(u_layer_foam, xy, u_cell_m).rg : vec2(0.0); }
+// The sea's transient and constant foam; where the level has rivers, their stagnant and turbulent foam too.
+vec4 painted_foam(vec2 xy) { return u_show_painted_foam ? layer_at(u_layer_foam, xy, u_cell_m) : vec4(0.0); }
 
 void main() {
 #ifdef HORIZON
@@ -77,6 +81,10 @@ void main() {
     Sea sea = sea_found(shares.x >= 1.0 && length(relative) < FOUND_M, relative, before);
 #endif
     fade_surf(sea);
+#ifdef RIVERS
+    // ground that lies lower than a river beside it: what joins its level with the sea's is no water
+    if (sea.river.share < 0.5 && sea.still > 0.05 && sea.bed.sea.x < 0.5) discard;
+#endif
     float away = length(relative), eye_depth = eye_depth_of(relative);
     if (sheet_ends(sea.sheet, eye_depth, texelFetch(under_eye_depth, ivec2(gl_FragCoord.xy), 0).r)) discard;
     vec3 to_eye = -relative / max(away, 1e-4);
@@ -85,6 +93,14 @@ void main() {
     float rippled = ripple_share(column);
     float gusts = water_gusts(before, length(relative), long_m);
     vec3 ripple = water_ripples(before, long_m) * vec3(vec2(sqrt(gusts)), gusts);
+    vec4 painted = painted_foam(before);
+    vec4 current = current_at(before), force = force_at(sea.position.xy);
+#ifdef RIVERS
+    Stream stream = stream_at(sea.river, before, current.rg, force.xy, pixel_m);
+    river_water = stream.tinted;
+    rippled = mix(rippled, smoothstep(0.0, 0.2, column), stream.own);
+    ripple = mix(ripple, river_ripples(stream, before, long_m), stream.own);
+#endif
     float body = wave_body(sea, sharp.x), breadth = wave_breadth(sea);
     // a shore wave is lit as the steep wave it stands for: cells of half a metre carry a gentler one
     vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (1.0 + 0.9 * body * breadth);
@@ -93,6 +109,9 @@ void main() {
     slope += rings.xy;
     // slopes that neither the waves here nor the ripples show: together always what the wind makes (Cox & Munk 1954)
     vec2 shown = sea.deep * sharp.x * vec2(1.0, sharp.y);
+#ifdef RIVERS
+    shown = mix(shown, vec2(1.0), stream.own);  // none of the sea's waves are meant to be there
+#endif
     float lost = (ripple.z + dot(u_wave_slope, 1.0 - shown * shown)) * rippled * rippled + rings.z;
     vec3 normal = normalize(vec3(-slope, 1.0));
 #ifdef PLUNGE
@@ -104,13 +123,16 @@ void main() {
     if (dot(normal, to_eye) < 0.0)
         normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
 
-    vec2 painted = painted_foam(before);
-    vec4 current = current_at(before), force = force_at(sea.position.xy);
     current.rg += force.xy;
     stirred = force.w;
     // a wave's face is seen straighter than the plane: what lies on it is neither blurred nor stretched like the plane's
     float face_m = min(pixel_m, pixel_metres(relative, sea.normal));
-    Foam foam = sea_foam(sea, on_face(before, sea), column, sharp.x, painted, current, u_show_procedural_foam, face_m);
+    Foam foam = sea_foam(sea, on_face(before, sea), column, sharp.x, painted.rg, current, u_show_procedural_foam, face_m);
+
+    vec3 white = foam_albedo(foam);
+#ifdef RIVERS
+    foam = with_river_foam(foam, stream, before, painted.ba, force, u_show_procedural_foam, pixel_m, white);
+#endif
 
 #ifdef PLUNGE
     // white water is no sheet with a dark side: light comes through it from above
@@ -137,16 +159,22 @@ void main() {
     face = max(face, hangs * sea.shore.breaker.leaning.x);
 #endif
     depth += 1.3 * face;
-    vec3 from_below = light_from_below(land.rgb, sea.bed.depth.x, bed_xy, depth, cosine, sun, sky, pixel_m);
-    vec2 shade_at = foam_shade_place(before, sea.bed.depth.x);
-    from_below *= wave_shade(normal, body) * foam_shade(shade_at, painted_foam(shade_at), current_at(shade_at), pixel_m);
+    float still_depth = sea.bed.depth.x + sea.still;
+    vec3 from_below = light_from_below(land.rgb, still_depth, bed_xy, depth, cosine, sun, sky, pixel_m);
+    vec2 shade_at = foam_shade_place(before, still_depth);
+    float shade = foam_shade(shade_at, painted_foam(shade_at).rg, current_at(shade_at), pixel_m);
+#ifdef RIVERS
+    float amount = stagnant_amount(stream, before, painted.b, force, u_show_procedural_foam, pixel_m);
+    shade = mix(shade, 1.0, stream.own) * river_shade(stream, shade_at, amount, pixel_m);
+#endif
+    from_below *= wave_shade(normal, body) * shade;
     from_below = bubbles(from_below, foam, sun, sky);
     // foam lets some of what comes through the crest on
     vec3 crest = water_crest_light(max(sea.height01 * sharp.x, body), normal, to_eye, u_sun_direction) * sun;
     from_below = from_below * (1.0 - foam.cover) + crest * (1.0 - 0.55 * foam.cover);
     from_below *= 1.0 - water_fresnel(cosine, roughness) * (1.0 - foam.cover);
     roughness = mix(roughness, FOAM_ROUGHNESS, rough);
-    Surface surface = Surface(foam_albedo(foam) * foam.cover, 1.0 - 0.5 * face, normal, roughness, u_water_specular, SEA,
+    Surface surface = Surface(white * foam.cover, 1.0 - 0.5 * face, normal, roughness, u_water_specular, SEA,
                               foam.cover, 1.0, from_below, eye_depth, before);
     sheet_over(land.rgb, thin, cosine, surface);
     write_gbuffer(surface);

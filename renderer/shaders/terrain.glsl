@@ -50,6 +50,9 @@ void main() {
 #define WRITE_GBUFFER
 #include "lib/gbuffer.glsl"
 #include "lib/wet.glsl"
+#ifdef RIVERS
+#include "lib/river_bank.glsl"
+#endif
 in vec3 v_relative;
 #ifdef SHOW_GROUND
 uniform vec3 u_ground_colours[LAYERS];  // of the view
@@ -64,6 +67,9 @@ void main() {
     vec2 torn = torn_at(position.xy, pixel_m);
     Site site = terrain_site(position.xy, normal, position.z - u_still_m, torn, pixel_m);
     Wet wet = shore_wet(position.xy, site.height - u_tide_m, pixel_m);
+#ifdef RIVERS
+    wet.damp = max(wet.damp, river_damp(position.xy, site.height - u_tide_m, pixel_m));
+#endif
     int layer;
     Ground g = ground_at(position, site, wet.damp, pixel_m, layer);
     float film = wet.film * smoothstep(0.9, 0.97, normal.z);

@@ -25,6 +25,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/mouth_shown.glsl"
 uniform sampler2D u_layer_foam;
 uniform sampler2D hdr;
+#include "lib/river_shown.glsl"
 #ifdef LAYER
 uniform sampler2D u_layer;
 uniform float u_layer_cell_m;
@@ -104,8 +105,9 @@ vec3 breaking_colour(Sea sea) {
 }
 
 float shade_of_foam(Sea sea, Surface s) {
-    vec2 at = foam_shade_place(s.before, sea.bed.depth.x);
-    return foam_shade(at, layer_at(u_layer_foam, at, u_cell_m).rg, current_at(at), s.eye_depth * u_pixel_angle);
+    vec2 at = foam_shade_place(s.before, sea.bed.depth.x + sea.still);
+    float shade = foam_shade(at, layer_at(u_layer_foam, at, u_cell_m).rg, current_at(at), s.eye_depth * u_pixel_angle);
+    return river_shade_shown(sea, s.before, at, shade, s.eye_depth * u_pixel_angle);
 }
 
 vec3 mirrored_land(Surface s, vec3 relative) {

@@ -66,13 +66,21 @@ float water_cosine(float cosine) {
     return sqrt(max(1.0 - sine2, 0.0));
 }
 
+#ifdef RIVERS
+uniform vec3 u_river_absorb, u_river_back;  // what a river's water adds, 1/m
+float river_water = 0.0;                    // share of it at this pixel
+vec3 water_backscatter() { return u_backscatter + river_water * u_river_back; }
+vec3 water_attenuation() { return u_absorb + u_backscatter + river_water * (u_river_absorb + u_river_back); }
+#else
+vec3 water_backscatter() { return u_backscatter; }
 vec3 water_attenuation() { return u_absorb + u_backscatter; }
+#endif
 
 // Light that survives `path_m` of water.
 vec3 water_transmittance(float path_m) { return exp(-water_attenuation() * max(path_m, 0.0)); }
 
 // What the water column reflects by itself when bottomless (Gordon 1975: about 0.33 b / (a + b)).
-vec3 water_deep_albedo() { return 0.33 * u_backscatter / water_attenuation(); }
+vec3 water_deep_albedo() { return 0.33 * water_backscatter() / water_attenuation(); }
 
 // The artist's table (level/water_table.py): row 0 what is left, row 1 what is added, after that many metres.
 #include "level/tables.glsl"
