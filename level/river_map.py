@@ -64,6 +64,12 @@ class RiverMap:
         return np.concatenate([texels[..., :3], np.stack(waves_of_code(texels[..., 3]), -1)], -1)
 
     @property
+    def felt(self) -> np.ndarray:
+        """Where there is any of it, or it does anything to the sea's waves: float32 `(rows, cols)`, 0 or 1."""
+        as_they_are = code_of_waves(1.0, 1.0, 0.0, 0.0)
+        return ((self.packed[..., 1] > 0) | (self.packed[..., 3] != as_they_are)).astype(np.float32)
+
+    @property
     def wet(self) -> np.ndarray:
         """Where it is, bool `(rows, cols)`, whatever the ground."""
         return self.packed[..., 1] >= 0.5

@@ -14,6 +14,7 @@ class HeightBounds:
 
     def __init__(self, height: np.ndarray) -> None:
         rows, cols = height.shape
+        self.rows, self.cols = rows, cols
         shape = -(-(rows - 1) // BLOCK), -(-(cols - 1) // BLOCK)
         self.levels = [np.zeros((*shape, 2), np.float32)]
         while max(shape) > 1:

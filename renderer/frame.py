@@ -136,8 +136,8 @@ class Frame:
         """True where edges are smoothed in the finished picture."""
         return not self.view.value and self.samples == 1 and "antialias" in self.show
 
-    def shader(self, name: str, **defines: str):
-        """A program with this frame's uniforms and textures bound."""
+    def shader(self, name: str, without: tuple[str, ...] = (), **defines: str):
+        """A program with this frame's uniforms and textures bound; `without` some defines of what the level has."""
         from ..level.waves import wave_defines
         from .uniforms import bind_textures, set_uniforms
 
@@ -146,6 +146,7 @@ class Frame:
         if name in IN_THE_SUN:
             defines |= self.defines
         defines |= {off: "" for path, off in OFF.get(name, {}).items() if not get(self.level.settings, path)}
+        defines = {define: value for define, value in defines.items() if define not in without}
         shader = self.renderer.programs.get(name, **defines)
         set_uniforms(shader.program, self.uniforms)
         bind_textures(shader, self.textures)

@@ -34,6 +34,7 @@ class Uploader:
         self.textures: dict = {}
         self.sent: Counter[str] = Counter()
         self.bounds: HeightBounds | None = None
+        self.felt_bounds: HeightBounds | None = None  # where rivers are felt, 0 or 1
         self.river_bounds: HeightBounds | None = None  # of the level of water that isn't the sea, over its mean
         self.seen: dict[str, object] = {}
         self.wholes = 0  # how often all of a level's height was sent
@@ -83,10 +84,10 @@ class Uploader:
         self._sync_shore(shore)
         if made is not None and self.seen.get("rivers") is not made:
             self._send("u_bed", made.packed, Rect(rows, 0, 2 * rows, cols), "f4")
-            self.river_bounds = HeightBounds(_water_levels(made))
+            self.river_bounds, self.felt_bounds = HeightBounds(_water_levels(made)), HeightBounds(made.felt)
             self.seen["rivers"] = made
         if made is None:
-            self.river_bounds = None
+            self.river_bounds = self.felt_bounds = None
 
     def _sync_shore(self, shore: ShoreMap) -> None:
         known, revision = self.seen.get("shore", (None, 0))

@@ -8,13 +8,15 @@ from pydantic import ValidationError
 from shorewright.app.script import Script
 from shorewright.app.session import Session
 from shorewright.level import BadInput, Grid, Level
-from shorewright.level.objects import River
+from shorewright.level.objects import Camera, River
 from shorewright.level.river_bed import carved
 from shorewright.level.river_edit import deleted, inserted, set_point, snapped
 from shorewright.level.river_line import centre_line
 from shorewright.level.river_map import river_map
 from shorewright.level.river_trace import traced
 from shorewright.level.waves import sea_at, surface_at
+from shorewright.renderer import render
+from shorewright.renderer.passes import sea
 
 
 def down(x0, y0, x1, y1, levels, width_m=8.0, speed_mps=1.0, **more):
@@ -197,3 +199,18 @@ def test_carving_is_one_step_and_a_word_of_the_script():
     np.testing.assert_array_equal(again.level.height, carved_m)
     first.undo()
     np.testing.assert_array_equal(first.level.height, before)
+
+
+@pytest.mark.gl
+def test_chunks_far_from_rivers_are_drawn_without_them_to_the_same_bytes(renderer, monkeypatch):
+    """D13: where no river is felt the sea costs what it did, and nothing is seen of where that begins."""
+    level = coast()
+    eye = Camera(id="eye", x=60, y=20, z=60, yaw_deg=0, pitch_deg=-50, fov_deg=60)
+
+    def drawn():
+        return render(level, eye, (96, 64), 3.0, renderer=renderer, quality="low")
+
+    parts, few = drawn(), renderer.stats["river_chunks"]
+    monkeypatch.setattr(sea, "_beside_rivers", lambda frame, lod, chunks: np.ones(len(chunks), bool))
+    np.testing.assert_array_equal(parts, drawn())
+    assert 0 < few < renderer.stats["river_chunks"]

@@ -27,6 +27,7 @@ NEAR_M = 120.0  # what the tiers' reach stands for
 HULL_REACH = 4.0  # chunks of cells of 10 m before the hull that is tessellated gets coarser
 FLAT, FADE = 0.9, 0.4  # of the distance to the mesh's edge: where waves lie flat, how long they take
 SOFTWARE = ("llvmpipe", "softpipe", "swiftshader", "software", "basic render")
+RIVER_MARGIN_M = 6.0  # how far waves may carry the water of a chunk into a river
 MOST_SOFTWARE_PARTS = 8  # finer, software tessellates pathologically slowly
 
 
@@ -183,8 +184,26 @@ def draw(frame: Frame) -> None:
     bind_water(frame)
     frame.uniforms |= extent_uniforms(frame, extent)
     lod, view, chunks = sea_chunks(frame, extent)
-    shader = frame.shader("sea.glsl", **_defines(frame, hull))
-    set_uniforms(shader.program, mesh_uniforms(lod, view) | (_tess_uniforms(frame) if hull else {}))
+    uniforms = mesh_uniforms(lod, view) | (_tess_uniforms(frame) if hull else {})
     ctx.enable(ctx.DEPTH_TEST)
-    frame.stats["sea_triangles"] = chunk_mesh(frame, lod.chunk).draw(shader, chunks, patches=hull)
+    frame.stats["sea_triangles"] = 0
+    beside = _beside_rivers(frame, lod, chunks)
+    for some, without in ((chunks[~beside], ("RIVERS",)), (chunks[beside], ())):
+        if len(some):
+            shader = frame.shader("sea.glsl", without, **_defines(frame, hull))
+            set_uniforms(shader.program, uniforms)
+            frame.stats["sea_triangles"] += chunk_mesh(frame, lod.chunk).draw(shader, some, patches=hull)
+    frame.stats["river_chunks"] = int(beside.sum())
     ctx.disable(ctx.DEPTH_TEST)
+
+
+def _beside_rivers(frame: Frame, lod: Lod, chunks: np.ndarray) -> np.ndarray:
+    """Which chunks feel a river: the others are drawn without any, for less."""
+    felt = frame.renderer.uploader.felt_bounds
+    if felt is None:
+        return np.zeros(len(chunks), bool)
+    cell_m, size = shore_map(frame.level).cell_m, lod.chunk << chunks[:, 2]
+    low = np.floor((chunks[:, :2] * lod.cell_m - RIVER_MARGIN_M) / cell_m).astype(np.int64)
+    high = np.ceil(((chunks[:, :2] + size[:, None]) * lod.cell_m + RIVER_MARGIN_M) / cell_m).astype(np.int64)
+    inside = (high >= 0).all(axis=1) & (low[:, 0] < felt.cols) & (low[:, 1] < felt.rows)
+    return inside & (felt.query(low[:, 1], low[:, 0], high[:, 1], high[:, 0])[1] > 0)
