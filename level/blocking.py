@@ -59,5 +59,5 @@ def met(period_s, depth_m, against_mps, amplitude_m: float = 0.0) -> Met:
         steepest = 0.5 * STEEPEST * length * np.tanh(2 * np.pi / length * np.maximum(depth_m, 0.05)) / amplitude_m
         most = np.clip(steepest, 1.0, MOST_GAIN)
     through = 1 - smooth(*STOPS, r)
-    white = (1 - smooth(*WHITE, s)) * (1 - smooth(1.0, 1.5, r))
+    white = (1 - smooth(*WHITE, s)) * (1 - smooth(1.0, STOPS[1] + 0.1, r))
     return Met(np.minimum(2 / ((1 + s) * np.sqrt(s)), most), through, white)
