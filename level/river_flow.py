@@ -20,7 +20,7 @@ from .request import Request
 from .river_jet import Mouth
 from .river_line import Line
 from .river_map import RiverMap, river_shape
-from .river_solve import SHALLOW_M, Solve
+from .river_solve import Solve, evened
 
 MOST_CELLS = 200_000  # more are solved in twice as large cells: 200,000 take 3 s
 
@@ -30,7 +30,7 @@ class RiverFlow:
     """`velocity` float32 `(rows, cols, 2)`, east and north in m/s on the map's samples from `corner` (row, col) on."""
 
     velocity: np.ndarray
-    depth_m: np.ndarray  # float32 `(rows, cols)`: that of the water for which it is known, floored, else 0
+    depth_m: np.ndarray  # float32 `(rows, cols)`: that of the water for which it is known, evened, else 0
     corner: tuple[int, int]
     cell_m: float
     mouths: tuple[Mouth, ...]
@@ -58,9 +58,16 @@ class RiverFlow:
         away, (row, col) = ndimage.distance_transform_edt(~wet, return_indices=True)
         there = np.ix_(rows[inside[0]], cols[inside[1]])
         share = np.clip(ratio + 1 - away[there], 0, 1)
-        velocity = self.velocity[row[there] - pad, col[there] - pad]
+        velocity = self._over(ratio)[row[there] - pad, col[there] - pad]
         out[np.ix_(*inside)] = np.concatenate([velocity * (share > 0)[..., None], share[..., None]], -1)
         return out
+
+    def _over(self, ratio: float) -> np.ndarray:
+        """Velocities as means over the water within samples `ratio` times as wide."""
+        size = 2 * round(ratio / 2) + 1 if ratio > 1.01 else 1
+        share = ndimage.uniform_filter(self.depth_m, size, mode="constant")
+        means = [ndimage.uniform_filter(self.velocity[..., i] * self.depth_m, size, mode="constant") for i in (0, 1)]
+        return np.stack(means, -1) / np.maximum(share, 1e-6)[..., None]
 
 
 @dataclass(frozen=True)
@@ -89,7 +96,7 @@ class RiverFlowRequest(Request["RiverFlow"]):
             velocity, mouths = Solve(self).done()
         else:
             velocity, mouths = np.zeros((*self.depth_m.shape, 2), np.float32), ()
-        depth = np.where(self.depth_m > 0, np.maximum(self.depth_m, SHALLOW_M), np.float32(0)).astype(np.float32)
+        depth = np.where(self.depth_m > 0, evened(self.depth_m), np.float32(0))
         return RiverFlow(velocity, depth, self.corner, self.cell_m, mouths)
 
     def _coarsely(self) -> RiverFlow:

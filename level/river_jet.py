@@ -34,6 +34,12 @@ class Mouth:
         dx, dy = np.asarray(x, np.float64) - self.x, np.asarray(y, np.float64) - self.y
         return dx * self.east + dy * self.north, dy * self.east - dx * self.north
 
+    def box(self, cell_m: float) -> tuple[tuple[int, int], tuple[int, int]]:
+        """Rows and columns, from and up to, of samples outside of which it isn't felt."""
+        wide = 4.0 * (self.half_m + SPREAD * self.reach_m) + 4 * cell_m
+        spans = ((at, at + way * self.reach_m) for at, way in ((self.y, self.north), (self.x, self.east)))
+        return tuple((round((min(span) - wide) / cell_m), round((max(span) + wide) / cell_m)) for span in spans)
+
     def speed(self, x, y, cell_m: float, behind_m: float = 0.0) -> np.ndarray:
         """Of the jet along its heading, m/s at world points, smooth on cells of that size; exactly 0 where none is.
 

@@ -1,75 +1,28 @@
 """What a river and its jet leave of the sea's waves that meet it (D35).
 
-Waves against a current U: energy comes no farther than where cg + U = 0, in deep water U = −g P / (8 π). Till there
-they get shorter and higher by wave action: with r = −U / (that speed) and s = √(1 − r), (cg + U) / cg is s, and
-amplitudes grow as 2 / ((1 + s) √s) (Longuet-Higgins & Stewart 1961: deep water; the speed that stops them is that of
-the depth).
+Waves by band: of a group the mean over its fronts of what the current leaves of each (`blocking.py`), in the jet by
+the angle between them, up the river straight against it. What was stopped on the way comes no farther up.
 """
 
 from __future__ import annotations
 
-import functools
 from dataclasses import dataclass, replace
 
 import numpy as np
 
+from .blocking import Met, met
 from .earth import GRAVITY
 from .gerstner import Fronts, groups
 from .level import Level
 from .river_flow import RiverFlow, river_flow
 from .river_jet import Mouth, smooth
-from .river_line import SPREAD, Line
+from .river_line import Line
 from .river_map import PAINTED, RiverMap, code_of_waves, river_shape
 from .weather_keys import base_settings
 
-MOST_GAIN = 1.6  # waves get no higher than so many times what they were
-STEEPEST = 0.14  # of waves, height by length, × tanh k h (Miche)
-STOPS = (0.92, 1.08)  # of the speed that stops waves: all of them, none get through
-WHITE = (0.2, 0.5)  # (cg + U) / cg up to which they are white, at which they aren't
 TIDAL = 8.0  # widths up a quiet river over which waves die out on its banks and bed
 EVENS = 0.2  # lengths: over less, waves don't change their height along their crests; half a mouth at most
 TURNS_IN = 3.0  # widths before the mouth over which waves from all sides become waves up the river
-
-
-@functools.lru_cache(1)
-def _stopping() -> tuple[np.ndarray, np.ndarray]:
-    """ω √(h / g), and the speed by √(g h) that stops waves of it: at the largest ω that k has against a current."""
-    kh = np.geomspace(1e-3, 60, 800)
-    tanh = np.tanh(kh)
-    sigma = np.sqrt(kh * tanh)
-    group = (tanh + kh * (1 - tanh * tanh)) / (2 * sigma)
-    return sigma - kh * group, group
-
-
-def stopping_speed(period_s, depth_m) -> np.ndarray:
-    """m/s of a current against waves that lets none of that period pass; arrays of one shape."""
-    depth = np.maximum(depth_m, 0.05)
-    pace = 2 * np.pi / np.asarray(period_s, np.float64) * np.sqrt(depth / GRAVITY)
-    known, stops = _stopping()
-    return np.where(pace > known[-1], 0.25 / pace, np.interp(pace, known, stops)) * np.sqrt(GRAVITY * depth)
-
-
-@dataclass
-class Met:
-    """What a current leaves of waves, arrays of one shape: × amplitude, share that gets through, how white 0 … 1."""
-
-    gain: np.ndarray
-    through: np.ndarray
-    white: np.ndarray
-
-
-def met(period_s, depth_m, against_mps, amplitude_m: float = 0.0) -> Met:
-    """Waves of a period that meet a current, m/s against them; with it they get lower."""
-    r = against_mps / stopping_speed(period_s, depth_m)
-    s = np.sqrt(np.maximum(1 - r, 1e-4))
-    most = MOST_GAIN
-    if amplitude_m > 0:
-        length = GRAVITY * np.asarray(period_s) ** 2 / (2 * np.pi) * (0.5 * (1 + s)) ** 2
-        steepest = 0.5 * STEEPEST * length * np.tanh(2 * np.pi / length * np.maximum(depth_m, 0.05)) / amplitude_m
-        most = np.clip(steepest, 1.0, MOST_GAIN)
-    through = 1 - smooth(*STOPS, r)
-    white = (1 - smooth(*WHITE, s)) * (1 - smooth(1.0, 1.5, r))
-    return Met(np.minimum(2 / ((1 + s) * np.sqrt(s)), most), through, white)
 
 
 @dataclass
@@ -119,10 +72,7 @@ def _around(level: Level, shape: RiverMap, flow: RiverFlow) -> _Around:
     own, cell_m = shape.packed[..., 1] > 0, shape.cell_m
     spans = [np.flatnonzero(own.any(axis)) for axis in (1, 0)]
     for mouth in flow.mouths:
-        wide = 4.0 * (mouth.half_m + SPREAD * mouth.reach_m) + 4 * cell_m
-        for n, (at, way) in enumerate(((mouth.y, mouth.north), (mouth.x, mouth.east))):
-            ends = np.array([at, at + way * mouth.reach_m])
-            spans[n] = np.append(spans[n], np.rint([(ends.min() - wide) / cell_m, (ends.max() + wide) / cell_m]))
+        spans = [np.append(span, box) for span, box in zip(spans, mouth.box(cell_m), strict=True)]
     if not level.layers["mouth"].neutral:
         spans = [np.array([0, n]) for n in own.shape]
     rows, cols = (slice(int(max(span.min(initial=n), 0)), int(np.clip(span.max(initial=-1) + 1, 0, n)))
@@ -171,12 +121,16 @@ def _by_hand(out: Shares, level: Level, shape: RiverMap) -> None:
 def _jet(around: _Around, mouth: Mouth, strength: float, fronts) -> None:
     from scipy.ndimage import gaussian_filter
 
-    y, x = np.mgrid[around.rows, around.cols] * around.cell_m
+    window, spans = (around.rows, around.cols), mouth.box(around.cell_m)
+    box = tuple(slice(max(low, own.start), max(min(high, own.stop), own.start))
+                for (low, high), own in zip(spans, window, strict=True))  # fmt: skip
+    here = tuple(slice(part.start - own.start, part.stop - own.start) for part, own in zip(box, window, strict=True))
+    y, x = np.mgrid[box] * around.cell_m
     speed = strength * mouth.speed(x, y, around.cell_m, 2 * mouth.half_m)
     felt = speed > 0
     speed, (ahead, _) = speed[felt], mouth.off(x[felt], y[felt])
     up = 1 - smooth(0.0, 2 * TURNS_IN * mouth.half_m, ahead)
-    depth = np.maximum(around.sea_depth_m[felt], mouth.depth_m)  # waves come in by the deepest way
+    depth = np.maximum(around.sea_depth_m[here][felt], mouth.depth_m)  # waves come in by the deepest way
     if not felt.any():
         return
     for name, group in zip(("chop", "swell"), fronts, strict=True):
@@ -184,9 +138,10 @@ def _jet(around: _Around, mouth: Mouth, strength: float, fronts) -> None:
         changes = np.zeros(felt.shape, np.float32)
         changes[felt] = one.gain * one.through - 1
         wide = min(EVENS * float(group.length_m.mean()), mouth.half_m) / around.cell_m
-        getattr(around.out, name)[:] *= 1 + gaussian_filter(changes, wide, mode="nearest", truncate=3)
+        getattr(around.out, name)[here] *= 1 + gaussian_filter(changes, wide, mode="nearest", truncate=3)
         if name == "chop":
-            around.out.white[felt] = np.maximum(around.out.white[felt], one.white)
+            white = around.out.white[here]
+            white[felt] = np.maximum(white[felt], one.white)
 
 
 def _channel(around: _Around, own: np.ndarray, line: Line, runs, strength: float, fronts) -> None:

@@ -14,15 +14,26 @@ from .river_map import PAINTED
 if TYPE_CHECKING:
     from .river_flow import RiverFlowRequest
 
-SHALLOW_M = 0.05  # water counts as no shallower, or a film would rush
+SHALLOW_M = 0.1  # water counts as no shallower, or a film would rush
+EVEN_CELLS = 1.0  # sigma over which its depth is evened: a current doesn't know single stones that it covers
+LEAST_CELLS = 16  # less is a puddle
 FASTEST_MPS = 15.0
+
+
+def evened(depth_m: np.ndarray) -> np.ndarray:
+    """Depths of the wet cells, float32, as the flow knows them; the rest is SHALLOW_M."""
+    wet = (depth_m > 0).astype(np.float32)
+    share = ndimage.gaussian_filter(wet, EVEN_CELLS)
+    depth = ndimage.gaussian_filter(np.maximum(depth_m, 0), EVEN_CELLS) / np.maximum(share, 1e-3)
+    return np.maximum(np.where(wet > 0, depth, 0), SHALLOW_M).astype(np.float32)
 
 
 @dataclass(frozen=True)
 class _Ends:
     """First and last cross-section of a river in a body of water, bool `(rows, cols)`.
 
-    `fed`: other water runs into it, `taken`: it runs into other water, `to_sea`: into the sea.
+    `fed`: it comes out of other water, `branches`: out of another river; `taken`: it runs into other water, `to_sea`:
+    into the sea.
     """
 
     which: int
@@ -30,6 +41,7 @@ class _Ends:
     last: np.ndarray
     discharge: float
     fed: bool
+    branches: bool
     taken: bool
     to_sea: bool
 
@@ -41,7 +53,7 @@ class Solve:
         self.asked, self.shape = asked, asked.depth_m.shape
         self.wet = asked.depth_m > 0
         self.parts, self.count = ndimage.label(self.wet)
-        self.depth = np.maximum(asked.depth_m, SHALLOW_M).astype(np.float64)
+        self.depth = evened(asked.depth_m).astype(np.float64)
         self.source, self.leaves = np.zeros(self.shape), np.zeros(self.shape)  # m³/s into a cell; to the sea, × φ
         self.cut = np.zeros(self.shape, bool)  # where water comes in or leaves: a face of those cells is missing
         self.areas = [self._sections(which) for which in range(len(asked.lines))]
@@ -66,8 +78,9 @@ class Solve:
         """Velocities float32 `(rows, cols, 2)` in m/s, and the mouths."""
         discharge = [self.discharge(which) for which in range(len(self.asked.lines))]
         flows = np.zeros(self.count + 1, bool)
+        cells = np.bincount(self.parts.ravel(), minlength=self.count + 1)
         for part in range(1, self.count + 1):
-            flows[part] = self._open(part, discharge)
+            flows[part] = cells[part] >= LEAST_CELLS and self._open(part, discharge)
         if not flows.any():
             return np.zeros((*self.shape, 2), np.float32), ()
         there = flows[self.parts]
@@ -81,10 +94,8 @@ class Solve:
         if not ends:
             return False
         painted = body & (self.asked.owner == PAINTED)
-        springs = [end for end in ends if not end.fed]
-        if not springs and painted.any():  # a spring lake
-            self._into(painted, max(end.discharge for end in ends))
-        for end in springs or ([] if painted.any() else ends):
+        springs = [end for end in ends if not end.fed] or [end for end in ends if not end.branches]
+        for end in springs or ends:
             self._into(end.first, end.discharge)
         mouths = [end for end in ends if not end.taken]
         if not mouths and painted.any():  # a lake without an outlet: it seeps away
@@ -118,7 +129,8 @@ class Solve:
             to_sea = line.mouth < len(line.along_m) and asked.nearest[own].max() >= line.mouth - 2
             others = asked.owner >= 0 if to_sea else True  # a lagoon by the sea takes nothing, another river does
             taken = _touches(last, body & ~own & others)
-            found.append(_Ends(int(which), first, last, discharge[which], _touches(first, body & ~own), taken, to_sea))
+            fed, branches = (_touches(first, body & ~own & by) for by in (True, asked.owner >= 0))
+            found.append(_Ends(int(which), first, last, discharge[which], fed, branches, taken, to_sea))
         return found
 
     def _solved(self, there: np.ndarray) -> np.ndarray:
@@ -152,7 +164,7 @@ class Solve:
 
     def _between(self, axis: int) -> np.ndarray:
         low, high = self._pair(axis)
-        return 0.5 * (self.depth[low] + self.depth[high])
+        return 2 * self.depth[low] * self.depth[high] / (self.depth[low] + self.depth[high])  # one after the other
 
     def _velocity(self, head: np.ndarray, there: np.ndarray) -> np.ndarray:
         """Of cells: the mean discharge through two opposite faces over the depth, so that sections keep their flux."""

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 from points import feedback
 from scipy.optimize import brentq
+from shorewright.level.blocking import MOST_GAIN, met, stopping_speed
 from shorewright.level.flow import current
 from shorewright.level.pick import ground_at
 from shorewright.level.river_flow import river_flow
 from shorewright.level.river_jet import CORE, Mouth
 from shorewright.level.river_map import code_of_waves, river_map, river_shape, waves_of_code
-from shorewright.level.river_mouth import MOST_GAIN, met, stopping_speed
 from shorewright.level.waves import sea_at, surface_at
 from test_rivers import coast, down
 

@@ -26,6 +26,7 @@ def small_coast():
             channels = len(row.channels)
             paint = 0.8 if channels == 1 else np.linspace(0.9, 0.3, channels, dtype=np.float32)
             level.write(name, Rect(30, 50, 110, 120) if row.grid == "level" else Rect(0, 0, 1, 1), paint)
+    level.write("foam", Rect(30, 30, 110, 50), np.linspace(0.9, 0.3, 2, dtype=np.float32))  # beside painted water
     for thing in (
         Mover(id="mover", x=70, y=36, circle_m=4, radius_m=2, speed_mps=4),
         Disturbance(id="burst", x=86, y=40, time_s=4.5, radius_m=5, strength=5),
@@ -35,10 +36,8 @@ def small_coast():
     ):
         level.put_object(thing.id, thing)
     level.put_mesh("block", block())
-    fall = ((0, 0, 10, 4.6, 3), (-6, -9, 10, 4.5, 3), (-7, -13, 10, 1.2, 3), (-8, -40, 10, 0, 0.05))
-    level.put_object("river", River(id="river", x=66, y=104, points=fall))
     fall = ((0, 0, 12, 5, 3), (0, -9, 12, 4.9, 3), (-1, -13, 12, 3.2, 3), (-4, -40, 12, 0, 1))
-    level.put_object("creek", River(id="creek", x=132, y=104, points=fall))
+    level.put_object("river", River(id="river", x=132, y=104, points=fall))
     level.set("weather.precipitation", 0.6)  # for the views alone: there are no clouds
     level.set("weather.temperature_c", 1.0)
     level.set("foam.height_low", -0.5)  # foam on all offshore waves: those of so small a sea are low
