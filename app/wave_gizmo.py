@@ -71,7 +71,8 @@ def lines(level: Level, thing: Placed, time_s: float) -> list[Line]:
     whole = whole_m(thing) if isinstance(thing, SwellRegion) else inner_m(thing)
     inner = np.column_stack([np.cos(turn), np.sin(turn)]) * whole + (thing.x, thing.y)
     fronts = _fronts(level, thing, time_s) if isinstance(thing, WaveObject) else []
-    return [Line(on_surface(level, inner), 0.4, 1.1), *_arrow(level, thing), *fronts]
+    arrow = [] if getattr(thing, "ring", False) else _arrow(level, thing)
+    return [Line(on_surface(level, inner), 0.4, 1.1), *arrow, *fronts]
 
 
 def _arrow(level: Level, thing: Placed) -> list[Line]:
@@ -92,6 +93,8 @@ def _size_m(thing: Placed) -> float:
 
 def _fronts(level: Level, thing: WaveObject, time_s: float) -> list[Line]:
     """The crests of the lead front within the circle at a moment, fainter towards its edge."""
+    if thing.ring:
+        return _rings(level, thing, time_s)
     along, across = axes(level, thing)
     phase = float(phase_cycles(object_fronts(thing, level.settings.level.seed), time_s)[0])
     count = 2 * thing.radius_m / thing.length_m
@@ -110,6 +113,19 @@ def _fronts(level: Level, thing: WaveObject, time_s: float) -> list[Line]:
             nearest = float(np.hypot(ahead[run], beside[run]).min())
             share = np.clip((thing.radius_m - nearest) / max(thing.radius_m - inner_m(thing), 1e-6), 0, 1)
             found.append(Line(on_surface(level, at, 0.15), 0.15 + 0.6 * float(share), 1.4))
+    return found
+
+
+def _rings(level: Level, thing: WaveObject, time_s: float) -> list[Line]:
+    """The rings of the lead front that are on their way out at a moment."""
+    phase = float(phase_cycles(object_fronts(thing, level.settings.level.seed), time_s)[0])
+    radii = thing.length_m * (np.arange(int(thing.radius_m / thing.length_m) + 2) + 0.25 + phase)
+    turn = np.linspace(0, 2 * np.pi, 73)
+    found = []
+    for radius_m in radii[radii < thing.radius_m][:MOST_FRONTS]:
+        share = float(np.clip((thing.radius_m - radius_m) / max(thing.radius_m - inner_m(thing), 1e-6), 0, 1))
+        at = np.column_stack([np.cos(turn), np.sin(turn)]) * radius_m + (thing.x, thing.y)
+        found.append(Line(on_surface(level, at, 0.15), 0.15 + 0.6 * share, 1.4))
     return found
 
 
@@ -134,7 +150,9 @@ def handles(level: Level, thing: Placed | None) -> dict[str, np.ndarray]:
         if len(points) < MOST_OUTLINE:
             between = 0.5 * (points + np.roll(points, -1, axis=0))
             places |= {f"between {i}": point for i, point in enumerate(between)}
-    if isinstance(thing, WaveObject):
+    if getattr(thing, "ring", False):
+        del places["aim"]
+    elif isinstance(thing, WaveObject):
         beside = BEND_AT * thing.radius_m
         ahead = bent(thing.curvature, thing.radius_m, 0.0, np.array([beside]))[0]
         places["bend"] = beside * across + np.nan_to_num(ahead) * along

@@ -14,9 +14,10 @@ from .dual import Dual, step
 from .level import Level
 from .loop import moment
 from .objects import WaveObject
+from .river_water import river_at
 from .shore import shore_map
 from .wave_lists import counted
-from .wave_objects import circle_weight, front_coordinate, full_depth_m, object_fronts, phase_cycles
+from .wave_objects import circle_weight, front_coordinate, full_depth_m, object_fronts, objects_water, phase_cycles
 from .weather_keys import level_at
 
 PERIODS, SAMPLES = 4, 32  # of the leading front: how far ahead crests are looked for, and how often in each
@@ -44,7 +45,9 @@ def highest_object(level: Level, t: float, x: float, y: float) -> tuple[WaveObje
         share = float(circle_weight(thing, *at).v[0])
         if share <= 0 or not sea.on:
             continue
-        bed = bed or shore_map(level).at(*at, level.tide_m)
+        if bed is None:
+            bed, river = shore_map(level).at(*at, level.tide_m), river_at(level, t, *at)
+            bed = bed if river is None else objects_water(sea, bed, river)
         share *= float((step(sea.deep_start_m, full_depth_m(sea, thing), bed["smoothed"]) * bed["sea"]).v[0])
         if share * thing.amplitude_m > max(LEAST_M, best[1] * best[0].amplitude_m if best else 0.0):
             best = thing, share

@@ -86,6 +86,8 @@ class WaveObject(Placed):
     falloff: float = param(0.6, 0, 1, "", "Share of the radius over which they fade.")
     amplitude_m: float = param(0.8, 0, 8, "m", "Their height over the still sea.", soft=(0, 2))
     lateral: float = param(0.8, 0, 1, "", "How sharply crests are drawn together.")
+    ring: bool = param(False, doc="Rings that run out from its middle, as under a waterfall or over a spring.")
+    inverted: bool = param(False, doc="Upside down: round tops and sharp hollows, as of water that bubbles up.")
     length_m: float = param(28.0, 1, 600, "m", "Their wavelength.", soft=(4, 120))
     speed: float = param(1.0, 0, 4, "×", "Their speed against deep-water dispersion.", soft=(0.25, 2))
     curvature: float = param(

@@ -29,6 +29,7 @@ class River:
     share: np.ndarray
     still: Dual
     white: np.ndarray
+    own: Dual  # share, as a dual
 
 
 def over_sea(level: Dual) -> Dual:
@@ -61,7 +62,7 @@ def river_at(level: Level, t, x, y) -> River | None:
     still = at["share"] * over_sea(at["stage"] - level.tide_m)
     rise = still + _waves(level, t, at["along"], at["rough"].v * at["share"].v)
     runs = 1.0 - step(*DROWNED_M, still)
-    return River(rise, at["swell"] * runs, at["chop"] * runs, at["share"].v, still, at["white"].v * runs.v)
+    return River(rise, at["swell"] * runs, at["chop"] * runs, at["share"].v, still, at["white"].v * runs.v, at["share"])
 
 
 def still_water_m(level: Level, x, y) -> np.ndarray:

@@ -16,6 +16,7 @@ from .earth import GRAVITY
 from .gerstner import Fronts
 from .level import Level
 from .objects import SwellRegion, WaveObject
+from .river_water import River
 from .settings import Sea
 from .wave_lists import MOST_OBJECTS, MOST_ON_PATCH, counted
 from .weather_keys import base_settings
@@ -26,6 +27,7 @@ SPREAD_DEG = (0.0, 5.0, -5.0)
 LENGTHS = (1.0, 0.79, 1.23)
 CENTRE = 1.2  # the centre of a wholly curved front is that many radii off: outside the circle, where q has no kink
 LEAST_FALLOFF = 0.05
+RING_HOLE = 0.25  # of the radius, within which rings rise
 STEEPEST = 0.6  # of the sum of k · lateral; at 1 crests fold over (Finch), and others may stand on the same water
 FULL_DEPTH = 3.0  # in that many amplitudes of water over `sea.deep_start_m` an object's waves stand whole
 
@@ -42,6 +44,8 @@ def object_fronts(thing: WaveObject, seed: int) -> Fronts:
     k = 2 * np.pi / length
     lateral = 2 * thing.lateral * amplitude
     lateral *= min(1.0, STEEPEST / max(float(np.sum(k * lateral)), 1e-9))
+    if thing.inverted:  # H32: points are drawn together in the troughs
+        lateral = -lateral
     begin = np.array([0.0, 0.618034, 0.236068])
     omega = thing.speed * np.sqrt(GRAVITY * k)
     return Fronts(np.sin(heading), np.cos(heading), length, omega, amplitude, lateral, begin)
@@ -80,19 +84,29 @@ def circle_weight(
     away = np.hypot(px, py)
     reach = np.maximum(away, 1e-6)
     whole_m, end_m = inner_m(thing) if whole_m is None else whole_m, thing.radius_m if end_m is None else end_m
-    return 1.0 - step(whole_m, end_m, Dual(away, px / reach, py / reach))
+    off = Dual(away, px / reach, py / reach)
+    weight = 1.0 - step(whole_m, end_m, off)
+    if getattr(thing, "ring", False):  # where rings begin there is a kink: the water stays flat
+        weight = weight * step(0.0, RING_HOLE * thing.radius_m, off)
+    return weight
+
+
+def bend_of(thing: WaveObject) -> tuple[float, float]:
+    """How far its fronts are bent, and the distance of their centre from its middle, m."""
+    return (1.0, 0.0) if thing.ring else (thing.curvature, CENTRE * thing.radius_m)
 
 
 def front_coordinate(thing: WaveObject, east: float, north: float, x: Dual, y: Dual) -> tuple[Dual, Dual, Dual]:
     """Metres along a front's way from the object's place, bent by its curvature, and its gradient (east, north)."""
-    bend, centre_m = thing.curvature, np.copysign(CENTRE * thing.radius_m, thing.curvature)
+    bend, centre_m = bend_of(thing)
+    centre_m = np.copysign(centre_m, bend)
     px, py = x - thing.x, y - thing.y
     cx, cy = px + centre_m * east, py + centre_m * north
     away = np.maximum(np.hypot(cx.v, cy.v), 1e-3)
     r = Dual(away, (cx.v * cx.dx + cy.v * cy.dx) / away, (cx.v * cx.dy + cy.v * cy.dy) / away)
     over = Dual(1 / away, -r.dx / away**2, -r.dy / away**2)
     straight = 1 - abs(bend)
-    q = (px * east + py * north) * straight + (r - CENTRE * thing.radius_m) * bend
+    q = (px * east + py * north) * straight + (r - abs(centre_m)) * bend
     return q, cx * over * bend + straight * east, cy * over * bend + straight * north
 
 
@@ -115,6 +129,14 @@ def object_shift(thing: WaveObject, seed: int, t: float, x: Dual, y: Dual) -> tu
 def full_depth_m(sea: Sea, thing: WaveObject) -> float:
     """Depth from which an object's waves stand whole: coastal ones come in nearer than those of the open sea (D11)."""
     return sea.deep_start_m + max(FULL_DEPTH * thing.amplitude_m, 0.2)
+
+
+def objects_water(sea: Sea, bed: dict[str, Dual], river: River) -> dict[str, Dual]:
+    """The bed as objects know it: on water of its own they stand wherever it is deep (H32)."""
+    return {
+        "smoothed": bed["smoothed"] + river.still + river.own * sea.deep_start_m,
+        "sea": bed["sea"] + river.own - bed["sea"] * river.own,
+    }
 
 
 def objects_shift(level: Level, which: int, t: float, x: Dual, y: Dual, before_x, before_y, bed: dict[str, Dual]):
@@ -147,7 +169,7 @@ def object_uniforms(level: Level, t: float) -> dict:
     for n, thing in enumerate(things):
         fronts, rows = object_fronts(thing, level.settings.level.seed), slice(3 * n, 3 * n + 3)
         place[n] = thing.x, thing.y, inner_m(thing), thing.radius_m
-        bend[n] = thing.curvature, CENTRE * thing.radius_m, full_depth_m(level.settings.sea, thing)
+        bend[n] = *bend_of(thing), full_depth_m(level.settings.sea, thing)
         way[rows] = np.stack([fronts.east, fronts.north, 1 / fronts.length_m, phase_cycles(fronts, t)], -1)
         size[rows] = np.stack([fronts.amplitude_m, fronts.lateral_m], -1)
     return {

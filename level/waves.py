@@ -32,7 +32,7 @@ from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cyc
 from .spline import second_order
 from .uncarried import Moved, uncarried
 from .wave_lists import counted, wave_regions
-from .wave_objects import HIGH, LOW, most_height_m, object_uniforms, objects_shift
+from .wave_objects import HIGH, LOW, most_height_m, object_uniforms, objects_shift, objects_water
 from .wave_regions import ahead, front_rows, keeps_times, most_amplitude, region_fronts, region_uniforms
 from .weather_keys import level_at
 
@@ -71,12 +71,14 @@ def _offshore(
 ) -> tuple[Deformed, Dual]:
     bed = shore.at(x, y, level.tide_m)
     weight = chop = _weight(level, bed)
+    water = bed
     if has_rivers(level):
         river = river_at(level, t, x, y)
+        water = objects_water(level.settings.sea, bed, river)
         weight, chop = weight * river.waves, weight * river.chop
     point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
     for which, group in zip((HIGH, LOW)[-len(fronts) :], fronts, strict=True):
-        added = objects_shift(level, which, t, point.x, point.y, x, y, bed)  # of the same base as the group (H06)
+        added = objects_shift(level, which, t, point.x, point.y, x, y, water)  # of the same base as the group (H06)
         moved = _group_shift(level, group, point, t, x, y, made if which == LOW else None)
         point = shifted(point, moved, weight if which == LOW else chop)
         point = shifted(point, added, Dual(1.0))

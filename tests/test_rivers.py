@@ -8,7 +8,7 @@ from pydantic import ValidationError
 from shorewright.app.script import Script
 from shorewright.app.session import Session
 from shorewright.level import BadInput, Grid, Level
-from shorewright.level.objects import Camera, River
+from shorewright.level.objects import Camera, River, WaveObject
 from shorewright.level.river_bed import carved
 from shorewright.level.river_edit import deleted, inserted, set_point, snapped
 from shorewright.level.river_line import centre_line
@@ -185,6 +185,21 @@ def test_a_hollow_is_filled_to_a_level_and_drained(tmp_path):
         session.undo()
         session.undo()
         assert river_map(level) is None
+
+
+@pytest.mark.gl
+def test_wave_objects_stand_on_any_water(ctx):
+    """H32: rings in a pool eight metres up, the same in shader and twin; none on the dry ground round it."""
+    y, x = np.mgrid[0:81, 0:81].astype(float)
+    bowl = 5 + 0.02 * ((x - 40) ** 2 + (y - 40) ** 2).clip(0, 400)
+    level = Level(Grid(81, 81, 1.0), bowl.astype(np.float32))
+    with Session(level) as session:
+        session.fill_water(40, 40, 8.0)
+    level.put_object("rings", WaveObject(id="rings", x=40, y=40, ring=True, radius_m=9, length_m=3, amplitude_m=0.2))
+    at = np.random.default_rng(2).uniform(30, 50, (4000, 2))
+    twin = surface_at(level, 1.5, at[:, 0], at[:, 1])
+    assert np.ptp(twin.height_m) > 0.2
+    assert np.abs(feedback(ctx, level, 1.5, at)[:, 2] - twin.height_m).max() < 1e-3
 
 
 def test_carving_is_one_step_and_a_word_of_the_script():

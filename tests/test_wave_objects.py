@@ -48,6 +48,7 @@ def crowd(curvature=0.8):
         wave("b", x=230.0, curvature=-curvature, yaw_deg=-80.0, length_m=9.0, radius_m=60.0, amplitude_m=0.2),
         wave("c", y=110.0, curvature=0.0, yaw_deg=170.0, length_m=44.0, radius_m=120.0),
         wave("d", x=150.0, curvature=0.3, length_m=6.0, radius_m=50.0, amplitude_m=0.15, falloff=0.2),
+        wave("e", x=90.0, y=60.0, ring=True, inverted=True, length_m=7.0, radius_m=40.0, amplitude_m=0.2),
     ]
 
 
@@ -99,6 +100,20 @@ def test_crests_travel_the_way_the_object_looks_at_the_speed_of_deep_water():
         )[0]
         assert float(later.v[0] - q.v[0]) == pytest.approx(speed * dt, rel=1e-3)
     assert fronts.omega[0] * thing.length_m / (2 * np.pi) == pytest.approx(speed)
+
+
+def test_rings_run_out_from_their_middle_and_inverted_ones_have_round_tops():
+    """H32: heights depend on the distance alone; upside down the hollows are sharper than the tops."""
+    level = deep_level(wave(ring=True, lateral=1.0, length_m=9.0), swell_m=0.0, chop_m=0.0)
+    turn = np.linspace(0, 2 * np.pi, 25)
+    heights = sea_at(level, 2.0, 190 + 30 * np.cos(turn), 150 + 30 * np.sin(turn)).height_m
+    assert np.ptp(heights) < 1e-6
+    r = np.linspace(25, 40, 600)
+    upright = sea_at(level, 2.0, 190 + r, np.full(r.shape, 150.0)).height_m
+    level.put_object("wave-1", wave(ring=True, lateral=1.0, length_m=9.0, inverted=True))
+    round_tops = sea_at(level, 2.0, 190 + r, np.full(r.shape, 150.0)).height_m
+    assert ((upright - upright.mean()) ** 3).mean() > 0 > ((round_tops - round_tops.mean()) ** 3).mean()
+    assert sea_at(level, 2.0, np.array([190.0]), np.array([150.0])).height_m[0] == pytest.approx(0, abs=1e-6)
 
 
 def test_an_object_adds_its_waves_within_its_circle_alone():

@@ -17,6 +17,8 @@ struct River {
     float rough; // 0 … 1
     float along; // metres down its way
     float white; // how far the current has the chop break, 0 … 1 (D35)
+    vec3 own;    // duals: share, and `still`
+    vec3 level;
 };
 
 // The higher of a level and the sea (0), rounded off within RIVER_JOIN_M of it.
@@ -60,5 +62,5 @@ River river_at(vec2 xy) {
     float rough = w.w * v.y;
     vec3 runs = d_const(1.0) - d_step(RIVER_DROWNED_M.x, RIVER_DROWNED_M.y, still);
     vec3 swell = d_mul(vec3(w.x, w_dx.x, w_dy.x), runs), chop = d_mul(vec3(w.y, w_dx.y, w_dy.y), runs);
-    return River(still + river_waves(along, rough), swell, chop, v.y, still.x, rough, v.z, w.z * runs.x);
+    return River(still + river_waves(along, rough), swell, chop, v.y, still.x, rough, v.z, w.z * runs.x, share, still);
 }

@@ -35,6 +35,15 @@ vec3 front_coordinate(vec2 bend, vec2 heading, vec3 px, vec3 py, out vec3 way_x,
     return straight * (px * heading.x + py * heading.y) + bend.x * (r - d_const(bend.y));
 }
 
+const float RING_HOLE = 0.25;
+
+// Where rings begin there is a kink: the water stays flat.
+vec3 ring_weight(vec4 place, vec2 before) {
+    vec2 off = before - place.xy;
+    float away = length(off);
+    return d_step(0.0, RING_HOLE * place.w, vec3(away, off / max(away, 1e-6)));
+}
+
 // Moves a point by the objects of a pass, whose base is that of the pass. Unlike the open sea's waves theirs come in to
 // where they are a few times as deep as high.
 void add_wave_objects(int first, int end, vec3 x, vec3 y, vec2 before, float share, inout Deformed point) {
@@ -42,7 +51,9 @@ void add_wave_objects(int first, int end, vec3 x, vec3 y, vec2 before, float sha
         int n = findLSB(left);
         vec4 place = u_wave_place[n];
         vec3 depth = d_mul(d_step(u_deep_start_m, u_wave_bend[n].z, objects_depth), objects_sea);
-        vec3 weight = share * d_mul(circle_weight(place, before), depth), px = x - d_const(place.x), py = y - d_const(place.y);
+        vec3 weight = share * d_mul(circle_weight(place, before), depth);
+        if (u_wave_bend[n].y == 0.0) weight = d_mul(weight, ring_weight(place, before));
+        vec3 px = x - d_const(place.x), py = y - d_const(place.y);
         for (int i = OBJECT_FRONTS * n; i < OBJECT_FRONTS * n + OBJECT_FRONTS; ++i) {
             vec4 way = u_wave_way[i];
             vec3 way_x, way_y, q = front_coordinate(u_wave_bend[n].xy, way.xy, px, py, way_x, way_y);

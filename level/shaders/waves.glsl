@@ -60,6 +60,10 @@ Sea sea_surface(vec2 before) {
 #ifdef WAVE_OBJECTS
     objects_depth = start.smoothed;
     objects_sea = start.sea * u_sea_on;
+#ifdef RIVERS
+    objects_depth += there.level + u_deep_start_m * there.own;  // H32: on water of its own they stand wherever it is deep
+    objects_sea = (start.sea + there.own - d_mul(start.sea, there.own)) * u_sea_on;
+#endif
 #endif
     Deformed p = gerstner(before, weight, chop);
     vec2 after = vec2(p.x.x, p.y.x);
