@@ -12,6 +12,7 @@ from noise_ops import fbm, ridged, smooth_max, smoothstep, warp
 from rock_ops import bare_rock, cliffs, ribs
 from scipy import ndimage
 from scipy.interpolate import PchipInterpolator
+from scipy.spatial import cKDTree
 from shorewright.level.objects import River
 from shorewright.level.river_line import Line, centre_line
 from terrain_ops import Curve, crumble, points
@@ -27,16 +28,16 @@ MAIN = points(
     295,531,13,15.3,0.5,1.4,20 268,519,24,15.3,0.25,3.0,40 240,507,13,15.3,0.5,1.6,26 226,498,9,15.2,1.2,0.9,12
     205,480,9,14.4,2.1,0.8,10 186,453,9,13.2,2.3,0.8,10 179,424,8,12.0,2.4,0.7,10 179.6,420.6,9,10.4,3.5,0.9,11
     184,407,12,10.1,1.1,1.6,14 200,386,9,9.3,2.1,0.8,11 230,368,10,8.2,2.3,0.8,13 265,354,10,6.9,2.2,0.8,18
-    300,338,10,5.6,2.1,0.8,26 328,318,11,4.4,1.5,1.0,42 352,294,13,3.5,1.0,1.5,70 344,266,13,3.0,0.9,1.7,84
-    312,258,12,2.7,0.9,1.5,90 278,266,12,2.4,0.9,1.5,92 252,255,13,2.1,0.9,1.7,92 250,228,13,1.8,0.9,1.7,92
-    272,211,14,1.5,0.9,1.6,92 282,193,13,1.1,1.0,1.3,92 270,170,14,0.55,1.0,1.1,92 258,146,18,0.12,0.9,0.9,92
-    254,128,24,0.0,0.7,0.8,92
+    300,338,10,5.6,2.1,0.8,24 328,318,11,4.4,1.5,1.0,38 358,304,13,3.6,1.0,1.5,62 374,282,13,3.2,0.9,1.7,74
+    360,260,13,2.9,0.9,1.7,84 330,258,12,2.6,0.9,1.5,88 302,272,12,2.4,0.9,1.5,92 272,280,13,2.2,0.9,1.6,92
+    247,266,13,2.0,0.9,1.8,92 246,240,13,1.8,0.9,1.7,92 268,224,13,1.6,0.9,1.5,92 286,208,14,1.4,0.9,1.5,92
+    284,188,15,1.0,1.0,1.3,92 266,172,16,0.6,1.0,1.1,92 258,154,18,0.2,0.9,0.9,92 255,132,26,0.0,0.7,0.8,92
     """
 )
 ARM = points(
     """
-    278,204,8,1.38,0.9,1.1,92 296,195,9,1.22,0.9,1.2,92 322,190,9,0.9,0.9,1.1,92 345,176,10,0.5,0.9,1.0,92
-    356,154,13,0.12,0.8,0.8,92 361,137,18,0.0,0.6,0.7,92
+    286,206,8,1.37,0.9,1.1,92 304,203,9,1.22,0.9,1.2,92 324,192,9,0.95,0.9,1.1,92 338,176,10,0.6,0.9,1.0,92
+    358,160,13,0.2,0.8,0.8,92 364,139,20,0.0,0.6,0.7,92
     """
 )
 # Shore line west to east, land on its left: a bay whose middle the river has filled. Rocky coast, counterclockwise.
@@ -105,11 +106,9 @@ def beside(x, y, seed: int) -> dict[str, np.ndarray]:
         columns = [line.x, line.y, line.half_m, line.level_m, by_line(knots, line, 5), by_line(knots, line, 6)]
         parts.append(np.stack([*columns, turn, east, north, line.along_m, sea], -1))
     table = np.concatenate(parts)
-    from scipy.spatial import cKDTree
 
-    wx, wy = warp(x, y, 16, 0.7, seed + 62)  # banks aren't drawn with a ruler
-    off, i = cKDTree(table[:, :2]).query(np.stack([wx, wy], -1).reshape(-1, 2))
-    off, i = off.reshape(x.shape), i.reshape(x.shape)
+    tree = cKDTree(table[:, :2])
+    off, i = (v.reshape(x.shape) for v in tree.query(np.stack([x, y], -1).reshape(-1, 2)))
     side = np.sign(table[i, 7] * (y - table[i, 1]) - table[i, 8] * (x - table[i, 0]))
     found = {name: table[i, n] for name, n in (("half", 2), ("level", 3), ("depth", 4), ("down", 9), ("out", 10))}
     floor_m, floor_half = spread(x, y, table[table[:, 10] == 0][::3])
@@ -142,9 +141,8 @@ def sediment(maps: dict[str, np.ndarray], seed: int) -> np.ndarray:
     away = smoothstep(14, 40, maps["off"] - maps["half"])
     belt = smoothstep(30, 46, inland) * smoothstep(105, 70, inland) * away
     height += belt * (0.2 + 2.6 * ridged(x * 0.6 + y * 0.2, y, 34, 4, seed + 6))
-    plain = (
-        maps["floor_m"] + 1.0 + 0.012 * maps["off"] + 0.45 * fbm(x, y, 42, 4, seed + 7) * smoothstep(6, 30, maps["off"])
-    )
+    plain = maps["floor_m"] + 0.55 + 0.5 * smoothstep(6, 3.5, maps["floor_m"]) + 0.014 * maps["off"]
+    plain += 0.45 * fbm(x, y, 42, 4, seed + 7) * smoothstep(6, 30, maps["off"])
     rise = smoothstep(45, 95, inland)
     height = height + (np.maximum(height, plain) - height) * rise
     return height - 4 * smoothstep(90, 0, y) + smoothstep(10, 40, inland) * 0.12 * fbm(x, y, 9, 3, seed + 8)
@@ -159,35 +157,34 @@ def shoals(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.nda
 
 
 def channel(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.ndarray:
-    """The bed: pools under outer banks, point bars inside, banks that hold the water."""
-    x, y = maps["x"], maps["y"]
-    off, half, level, bend = (maps[name] for name in ("off", "half", "level", "bend"))
+    """The bed: pools under outer banks, point bars inside, gravel bars at the mouths, banks that hold the water."""
+    x, y, off, level, bend, out = (maps[name] for name in ("x", "y", "off", "level", "bend", "out"))
+    half = maps["half"] - np.minimum(0.22 * maps["half"], 1.6) * (0.8 + fbm(x, y, 11, 3, seed + 12))  # uneven banks
+    half = np.maximum(half, 0.5 * maps["half"])
     part, beyond = off / half, np.maximum(off - half, 0)
     inner, outer = np.maximum(bend, 0), np.maximum(-bend, 0)
     deep = maps["depth"] * (1 + 0.35 * outer - 0.45 * inner * smoothstep(0.2, 1, part))
-    bed = (
-        level
-        - deep * (1 - np.square(np.minimum(part, 1)))
-        + 0.12 * fbm(x, y, 4, 3, seed + 11) * smoothstep(0, 0.5, 1 - part)
-    )
-    bar = 0.05 + 0.075 * beyond  # a point bar rises slowly, a cut bank stands
-    bank = 0.10 + 0.26 * beyond + 0.06 * np.square(beyond)
+    bed = level - deep * (1 - np.square(np.minimum(part, 1)))
+    bed += (0.15 * fbm(x, y, 4, 3, seed + 11)) * smoothstep(0, 0.5, 1 - part)
+    braids = smoothstep(1.5, 0.7, level) * smoothstep(0.05, 0.55, fbm(x, y, 17, 3, seed + 13))
+    braids *= smoothstep(0, 0.3, 1 - part) * (out <= 0)
+    bed += (np.minimum(bed + 1.1 * braids, level + 0.22) - bed) * (braids > 0)
+    bar = 0.06 + 0.07 * beyond  # a point bar rises slowly, a cut bank stands
+    bank = 0.10 + 0.16 * beyond + 0.045 * np.square(beyond)
     cut = 0.25 + 0.9 * beyond
-    high = level + bank + (bar - bank) * inner * smoothstep(24, 8, beyond) + (cut - bank) * outer
-    land = smoothstep(14, 0, maps["out"])
-    low = level + np.minimum(0.12 + 0.3 * beyond, 0.55)
+    high = level + bank + (bar - bank) * inner * smoothstep(26, 9, beyond) + (cut - bank) * outer
     shaped = np.minimum(height, high)
-    shaped = np.where(beyond < 7, np.maximum(shaped, low - 6 * smoothstep(4, 7, beyond)), shaped)
-    shaped = np.where(part < 1, np.minimum(height, bed), shaped)
-    shaped = np.where((part < 1) & (height < bed) & (maps["inland"] > 8), bed, shaped)
-    gap = np.minimum(height, bed + 0.05 * maps["out"] + 0.4 * np.square(part))
-    return np.where(land > 0, height + (shaped - height) * land, height) + (gap - height) * (maps["out"] > 0) * land
+    low = level + np.minimum(0.12 + 0.3 * beyond, 0.5)
+    holds = (beyond < 6) & (maps["inland"] > 14) & (maps["lake"] > 1.3) & (maps["spring"] > 1.5)
+    shaped = np.where(holds, np.maximum(shaped, low - 5 * smoothstep(3, 6, beyond)), shaped)
+    shaped = np.where(part < 1, np.where((height < bed) & (maps["inland"] < 8), height, bed), shaped)
+    gap = np.minimum(height, bed + 0.06 * out + 0.4 * np.square(part))  # on through the beach's foot
+    return np.where(out > 0, height + (gap - height) * smoothstep(20, 4, out), shaped)
 
 
-def basin(height: np.ndarray, maps: dict[str, np.ndarray], place, deep: float, seed: int) -> np.ndarray:
+def basin(height: np.ndarray, maps: dict[str, np.ndarray], name: str, place, deep: float) -> np.ndarray:
     """A hollow for standing water with a shore that holds it, open where the river passes."""
-    radius = around(maps, place, seed)
-    level, size = place[4], 0.5 * (place[2] + place[3])
+    radius, level, size = maps[name], place[4], 0.5 * (place[2] + place[3])
     shore = level + np.where(radius < 1, -deep * (1 - radius * radius), 0.16 * size * (radius - 1))
     rim = (radius >= 1) & (radius < 1 + 4 / size) & (maps["off"] > maps["half"] + 1)
     held = np.where(rim, np.maximum(height, level + 0.15 + 0.1 * size * (radius - 1)), height)
@@ -206,10 +203,9 @@ def oxbow(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.ndar
     """The cut-off loop: its old bed, silted up at both ends."""
     ends = smoothstep(0, 22, np.minimum(maps["oxbow_along"], maps["oxbow_end"]))
     part = maps["oxbow"] / (2.5 + 4.5 * ends)
-    bed = (
-        OXBOW_M - 1.2 * ends * (1 - np.minimum(part * part, 1)) + 0.3 * np.maximum(part - 1, 0) * 4 + 0.12 * (1 - ends)
-    )
-    dug = np.where(maps["oxbow"] < 24, np.minimum(height, bed), height)
+    bank = np.maximum(part - 1, 0)
+    bed = OXBOW_M - 1.2 * ends * (1 - np.minimum(part * part, 1)) + bank + 0.5 * bank * bank + 0.12 * (1 - ends)
+    dug = np.minimum(height, bed)
     ring = (part >= 1) & (part < 2.2)
     return np.where(ring, np.maximum(dug, OXBOW_M + 0.1 + 0.2 * (part - 1)), dug)
 
@@ -223,12 +219,12 @@ def height(seed: int) -> tuple[np.ndarray, dict[str, np.ndarray]]:
     rock, scree = crumble(rock, np.zeros_like(rock), 2.6, 0.68, 1.0, 30)
     ground = smooth_max(rock + ndimage.gaussian_filter(scree, 0.7), sand, 0.5)
     ground = ribs(x, y, ground, LEDGES, seed + 70)
-    ground = basin(basin(ground, maps, LAKE, 3.0, seed + 80), maps, SPRING, 1.1, seed + 81)
+    maps["lake"], maps["spring"] = around(maps, LAKE, seed + 80), around(maps, SPRING, seed + 81)
+    ground = basin(basin(ground, maps, "lake", LAKE, 3.0), maps, "spring", SPRING, 1.1)
     ground = channel(oxbow(ground, maps, seed), maps, seed)
     before = ground
     ground = bed_stones(maps, rocks(maps, ground, seed), seed)
     maps["stone"] = np.maximum(
         bare_rock(ground, sand) * smoothstep(40, 15, maps["inland"]), smoothstep(0.1, 0.4, ground - before)
     )
-    maps["lake"], maps["spring"] = around(maps, LAKE, seed + 80), around(maps, SPRING, seed + 81)
     return ground, maps

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 from noise_ops import fbm, ridged, smooth_max, smooth_min, smoothstep, warp
-from rock_ops import boulders
+from rock_ops import beds, boulders
 from terrain_ops import crumble, cut_valleys, points, upsample
 
 # Stretches of rapids: from, to in metres of level of the water.
@@ -21,21 +21,24 @@ def hills(maps: dict[str, np.ndarray], ground: np.ndarray, seed: int) -> np.ndar
     x, y, coast = (maps[name] for name in ("x", "y", "coast"))
     wx, wy = warp(x, y, 130, 34, seed + 20, 4)
     far = np.sqrt(np.square((x - 285) / 150) + np.square((y - 215) / 118)) + 0.3 * fbm(x, y, 120, 3, seed + 21)
-    rise = smoothstep(0.75, 2.6, far)
+    rise = smoothstep(0.72, 2.1, far)
     crest = ridged(wx, wy, 230, 5, seed + 22, 0.42)
-    top = 3 + rise * (26 + 66 * crest + 10 * fbm(wx, wy, 50, 4, seed + 27))
+    top = 3 + rise * (24 + 84 * crest + 10 * fbm(wx, wy, 50, 4, seed + 27))
     head = smoothstep(170, 70, x + 18 * fbm(x, y, 70, 2, seed + 28)) * smoothstep(330, 190, y)
     head = np.maximum(head, smoothstep(400, 470, x + 18 * fbm(x, y, 70, 2, seed + 29)) * smoothstep(330, 200, y))
     top = smooth_max(top, 2 + head * (15 + 10 * smoothstep(4, 50, coast) + 7 * fbm(wx, wy, 60, 5, seed + 23)), 5)
     side = np.maximum(maps["off"] - maps["floor_half"] * (1 + 0.25 * fbm(x, y, 60, 3, seed + 25)), 0)
-    walls = maps["floor_m"] + 0.9 + 0.02 * maps["off"] + 0.42 * side + 0.0042 * np.square(side)
-    walls += smoothstep(0, 25, side) * 5 * fbm(wx, wy, 45, 4, seed + 24)
+    steep = 0.5 + 0.45 * fbm(x, y, 75, 3, seed + 34)  # of the valley's sides: gentle here, bluffs there
+    walls = maps["floor_m"] + 0.4 + 0.014 * maps["off"] + np.maximum(steep, 0.16) * side + 0.006 * np.square(side)
+    stepped = beds(walls, x, y, seed + 35)
+    walls += (stepped - walls) * smoothstep(1, 5, side) * smoothstep(0.42, 0.7, steep)
+    walls += smoothstep(0, 25, side) * 4 * fbm(wx, wy, 45, 4, seed + 24)
     plain = smoothstep(6.0, 3.5, maps["floor_m"]) * smoothstep(0, 6, ground)  # sediment covers the rock there
     top = smooth_min(top, walls - 3.0 * plain * smoothstep(12, 0, side), 4)
     top = np.maximum(top, np.where(maps["inland"] > 0, maps["floor_m"] - 2 + 0 * top, -9.0))
     rough = np.maximum(top, ground)[::2, ::2]
     fixed = (side <= 0)[::2, ::2] | (top < ground)[::2, ::2] | (coast < 0)[::2, ::2]
-    cut = cut_valleys(rough, fixed, 2.0, 160, 0.040, 0.09)
+    cut = cut_valleys(rough, fixed, 2.0, 70, 0.034, 0.07)
     slipped, soil = crumble(cut, np.zeros_like(cut), 0.95, 0.62, 2.0, 30)
     turf = 0.5 * fbm(x, y, 20, 4, seed + 33)
     free = smoothstep(0, 2.5, top - ground) * smoothstep(0, 4, side)
