@@ -23,12 +23,12 @@ ROWS, COLS = 641, 513
 # pool, lake, rapids with a step, meanders, the western mouth; then the eastern arm.
 MAIN = points(
     """
-    400,604,4,24,0.5,0.6,5 394,586,4,23.2,1.2,0.5,7 375,571,5,22.3,1.4,0.6,8 352,563,6,21.7,1.3,0.7,10
-    338,557,7,21.5,1.8,0.5,9 334.4,555.2,8,15.7,4.5,1.0,10 325,550,19,15.5,0.8,2.6,15 311,542,9,15.42,0.9,1.0,14
+    400,604,4,24,0.5,0.6,5 394,586,4,23.2,1.2,0.5,7 375,571,5,22.3,1.4,0.6,8 352,563,8,21.7,1.3,0.9,10
+    338,557,11,21.5,1.8,1.3,9 334.4,555.2,12,15.7,4.5,2.2,10 325,550,21,15.5,0.8,2.9,15 311,542,9,15.42,0.9,1.0,14
     295,531,13,15.3,0.5,1.4,20 268,519,24,15.3,0.25,3.0,40 240,507,13,15.3,0.5,1.6,26 226,498,9,15.2,1.2,0.9,12
-    205,480,9,14.4,2.1,0.8,10 186,453,9,13.2,2.3,0.8,10 179,424,8,12.0,2.4,0.7,10 179.6,420.6,9,10.4,3.5,0.9,11
-    184,407,12,10.1,1.1,1.6,14 200,386,9,9.3,2.1,0.8,11 230,368,10,8.2,2.3,0.8,13 265,354,10,6.9,2.2,0.8,18
-    300,338,10,5.6,2.1,0.8,24 328,318,11,4.4,1.5,1.0,38 358,304,13,3.6,1.0,1.5,62 374,282,13,3.2,0.9,1.7,74
+    205,480,10,14.4,2.1,0.8,7 186,453,10,13.2,2.3,0.8,6 179,424,10,12.0,2.4,0.9,6 179.6,420.6,10,10.4,3.5,1.4,7
+    184,407,13,10.1,1.1,1.8,11 200,386,10,9.3,2.1,0.8,7 230,368,11,8.2,2.3,0.8,8 265,354,11,6.9,2.2,0.8,10
+    300,338,11,5.6,2.1,0.8,18 328,318,11,4.4,1.5,1.0,38 358,304,13,3.6,1.0,1.5,62 374,282,13,3.2,0.9,1.7,74
     360,260,13,2.9,0.9,1.7,84 330,258,12,2.6,0.9,1.5,88 302,272,12,2.4,0.9,1.5,92 272,280,13,2.2,0.9,1.6,92
     247,266,13,2.0,0.9,1.8,92 246,240,13,1.8,0.9,1.7,92 268,224,13,1.6,0.9,1.5,92 286,208,14,1.4,0.9,1.5,92
     284,188,15,1.0,1.0,1.3,92 266,172,16,0.6,1.0,1.1,92 258,154,18,0.2,0.9,0.9,92 255,132,26,0.0,0.7,0.8,92
@@ -159,7 +159,9 @@ def shoals(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.nda
 def channel(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.ndarray:
     """The bed: pools under outer banks, point bars inside, gravel bars at the mouths, banks that hold the water."""
     x, y, off, level, bend, out = (maps[name] for name in ("x", "y", "off", "level", "bend", "out"))
-    half = maps["half"] - np.minimum(0.22 * maps["half"], 1.6) * (0.8 + fbm(x, y, 11, 3, seed + 12))  # uneven banks
+    half = maps["half"] - np.minimum(0.26 * maps["half"], 1.6) * (
+        0.7 + 1.3 * fbm(x, y, 10, 3, seed + 12)
+    )  # uneven banks
     half = np.maximum(half, 0.5 * maps["half"])
     part, beyond = off / half, np.maximum(off - half, 0)
     inner, outer = np.maximum(bend, 0), np.maximum(-bend, 0)
@@ -167,8 +169,8 @@ def channel(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.nd
     bed = level - deep * (1 - np.square(np.minimum(part, 1)))
     bed += (0.15 * fbm(x, y, 4, 3, seed + 11)) * smoothstep(0, 0.5, 1 - part)
     braids = smoothstep(1.5, 0.7, level) * smoothstep(0.05, 0.55, fbm(x, y, 17, 3, seed + 13))
-    braids *= smoothstep(0, 0.3, 1 - part) * (out <= 0)
-    bed += (np.minimum(bed + 1.1 * braids, level + 0.22) - bed) * (braids > 0)
+    braids *= smoothstep(0.15, 0.5, part) * smoothstep(0, 0.25, 1 - part) * (out <= 0)
+    bed += (np.minimum(bed + 1.1 * braids, level + 0.1) - bed) * (braids > 0)
     bar = 0.06 + 0.07 * beyond  # a point bar rises slowly, a cut bank stands
     bank = 0.10 + 0.16 * beyond + 0.045 * np.square(beyond)
     cut = 0.25 + 0.9 * beyond
@@ -177,7 +179,8 @@ def channel(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.nd
     low = level + np.minimum(0.12 + 0.3 * beyond, 0.5)
     holds = (beyond < 6) & (maps["inland"] > 14) & (maps["lake"] > 1.3) & (maps["spring"] > 1.5)
     shaped = np.where(holds, np.maximum(shaped, low - 5 * smoothstep(3, 6, beyond)), shaped)
-    shaped = np.where(part < 1, np.where((height < bed) & (maps["inland"] < 8), height, bed), shaped)
+    deeper = (height < bed) & ((maps["inland"] < 8) | (maps["lake"] < 1.3) | (maps["spring"] < 1.3))
+    shaped = np.where(part < 1, np.where(deeper, height, bed), shaped)
     gap = np.minimum(height, bed + 0.06 * out + 0.4 * np.square(part))  # on through the beach's foot
     return np.where(out > 0, height + (gap - height) * smoothstep(20, 4, out), shaped)
 

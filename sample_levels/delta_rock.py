@@ -21,17 +21,18 @@ def hills(maps: dict[str, np.ndarray], ground: np.ndarray, seed: int) -> np.ndar
     x, y, coast = (maps[name] for name in ("x", "y", "coast"))
     wx, wy = warp(x, y, 130, 34, seed + 20, 4)
     far = np.sqrt(np.square((x - 285) / 150) + np.square((y - 215) / 118)) + 0.3 * fbm(x, y, 120, 3, seed + 21)
-    rise = smoothstep(0.72, 2.1, far)
+    rise = smoothstep(0.72, 2.1, far) * (1 - 0.5 * smoothstep(95, 20, np.sqrt(np.square(x - 255) + np.square(y - 440))))
     crest = ridged(wx, wy, 230, 5, seed + 22, 0.42)
     top = 3 + rise * (24 + 84 * crest + 10 * fbm(wx, wy, 50, 4, seed + 27))
     head = smoothstep(170, 70, x + 18 * fbm(x, y, 70, 2, seed + 28)) * smoothstep(330, 190, y)
     head = np.maximum(head, smoothstep(400, 470, x + 18 * fbm(x, y, 70, 2, seed + 29)) * smoothstep(330, 200, y))
     top = smooth_max(top, 2 + head * (15 + 10 * smoothstep(4, 50, coast) + 7 * fbm(wx, wy, 60, 5, seed + 23)), 5)
     side = np.maximum(maps["off"] - maps["floor_half"] * (1 + 0.25 * fbm(x, y, 60, 3, seed + 25)), 0)
-    steep = 0.5 + 0.45 * fbm(x, y, 75, 3, seed + 34)  # of the valley's sides: gentle here, bluffs there
-    walls = maps["floor_m"] + 0.4 + 0.014 * maps["off"] + np.maximum(steep, 0.16) * side + 0.006 * np.square(side)
+    steep = 0.6 + 0.45 * fbm(x, y, 75, 3, seed + 34)  # of the valley's sides: gentle here, bluffs there
+    walls = maps["floor_m"] + 0.4 + 0.014 * maps["off"] + np.maximum(steep, 0.22) * side + 0.006 * np.square(side)
     stepped = beds(walls, x, y, seed + 35)
     walls += (stepped - walls) * smoothstep(1, 5, side) * smoothstep(0.42, 0.7, steep)
+    walls = np.maximum(walls, maps["floor_m"] + 0.4 + 0.014 * maps["off"] + 0.12 * side)
     walls += smoothstep(0, 25, side) * 4 * fbm(wx, wy, 45, 4, seed + 24)
     plain = smoothstep(6.0, 3.5, maps["floor_m"]) * smoothstep(0, 6, ground)  # sediment covers the rock there
     top = smooth_min(top, walls - 3.0 * plain * smoothstep(12, 0, side), 4)
@@ -55,8 +56,8 @@ def bed_stones(maps: dict[str, np.ndarray], height: np.ndarray, seed: int) -> np
         * smoothstep(1.15, 0.9, part)
         * (0.35 + smoothstep(-0.1, 0.5, fbm(maps["x"], maps["y"], 22, 2, seed + 56)))
     )
-    picks = np.flatnonzero(rng.random(chance.size) < chance.ravel() * 0.032)
-    size = 0.9 + 1.1 * np.square(rng.random(picks.size))
+    picks = np.flatnonzero(rng.random(chance.size) < chance.ravel() * 0.05)
+    size = 0.8 + 1.0 * np.square(rng.random(picks.size))
     row, col = picks // height.shape[1], picks % height.shape[1]
     over = 0.15 + 0.55 * rng.random(picks.size)
     tall = level[row, col] + over * size - height[row, col]

@@ -74,9 +74,9 @@ ISLAND_SETTINGS = {
 DELTA_CAMERAS = [
     Camera(id="play", x=316, y=166, z=56, yaw_deg=245, pitch_deg=-55, fov_deg=48),
     Camera(id="beach", x=238, y=121, z=2.2, yaw_deg=28, pitch_deg=3, fov_deg=50),
-    Camera(id="survey", x=285, y=-130, z=300, yaw_deg=0, pitch_deg=-29, fov_deg=52),
+    Camera(id="survey", x=285, y=-70, z=300, yaw_deg=0, pitch_deg=-36, fov_deg=58),
     Camera(id="spring", x=384, y=580, z=31, yaw_deg=30, pitch_deg=-14, fov_deg=50),
-    Camera(id="fall", x=309, y=545, z=19, yaw_deg=67, pitch_deg=0, fov_deg=50),
+    Camera(id="fall", x=308, y=540, z=18.4, yaw_deg=60, pitch_deg=0, fov_deg=50),
     Camera(id="lake", x=232, y=485, z=25, yaw_deg=40, pitch_deg=-12, fov_deg=55),
     Camera(id="rapids", x=196, y=374, z=17, yaw_deg=105, pitch_deg=-16, fov_deg=50),
     Camera(id="oxbow", x=165, y=205, z=26, yaw_deg=42, pitch_deg=-20, fov_deg=55),
