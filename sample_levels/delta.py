@@ -56,7 +56,7 @@ OXBOW = points("222,290 200,294 180,280 172,258 180,236 200,224 220,226")  # an 
 OXBOW_M = 1.75  # level of its water
 LAKE = (266.0, 519.0, 32.0, 21.0, 15.3)  # x, y, radii along and across (0.9, 0.4), level
 SPRING = (402.0, 609.0, 6.0, 6.0, 24.0)
-LEDGES = points("452,156,16,8,1.4,0.8,0.6 84,150,14,9,1.5,0.7,-0.7")
+LEDGES = points("452,156,16,8,1.4,0.8,0.6 84,150,14,9,1.5,0.7,-0.7 409,621,11,6,2.2,0.92,0.39")
 
 
 def river(name: str, knots: np.ndarray) -> River:
@@ -174,9 +174,11 @@ def channel(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.nd
     bar = 0.06 + 0.07 * beyond  # a point bar rises slowly, a cut bank stands
     bank = 0.10 + 0.16 * beyond + 0.045 * np.square(beyond)
     cut = 0.25 + 0.9 * beyond
-    high = level + bank + (bar - bank) * inner * smoothstep(26, 9, beyond) + (cut - bank) * outer
+    high = (
+        level + bank + (bar - bank) * inner * smoothstep(26, 9, beyond) + (cut - bank) * outer * smoothstep(9, 4, level)
+    )
     shaped = np.minimum(height, high)
-    low = level + np.minimum(0.12 + 0.3 * beyond, 0.5)
+    low = ndimage.maximum_filter(level, 7) + np.minimum(0.12 + 0.3 * beyond, 0.5)
     holds = (beyond < 6) & (maps["inland"] > 14) & (maps["lake"] > 1.3) & (maps["spring"] > 1.5)
     shaped = np.where(holds, np.maximum(shaped, low - 5 * smoothstep(3, 6, beyond)), shaped)
     deeper = (height < bed) & ((maps["inland"] < 8) | (maps["lake"] < 1.3) | (maps["spring"] < 1.3))

@@ -16,6 +16,7 @@ def paint(level: Level, maps: dict[str, np.ndarray], seed: int) -> None:
     mask, surface = standing_water(maps, ground)
     write(level, "river_mask", mask)
     write(level, "river_surface", surface, mask > 0)
+    write(level, "river_foam", foam(maps, mask, seed))
     write(level, "cover", cover(maps, ground, mask, seed))
 
 
@@ -40,6 +41,23 @@ def standing_water(maps: dict[str, np.ndarray], ground: np.ndarray) -> tuple[np.
     return mask, surface
 
 
+def foam(maps: dict[str, np.ndarray], mask: np.ndarray, seed: int) -> np.ndarray:
+    """Stagnant, turbulent `(rows, cols, 2)`: algae on the oxbow and along the lake's shores, froth under the fall."""
+    x, y = maps["x"], maps["y"]
+    mats = smoothstep(-0.35, 0.35, fbm(x, y, 13, 4, seed + 5))
+    still = (
+        mats * np.where(maps["oxbow"] < 14, 0.9, 0.7 * smoothstep(0.72, 1.0, maps["lake"]) * (maps["off"] > 9)) * mask
+    )
+    under = smoothstep(11, 3, np.sqrt(np.square(x - 331) + np.square(y - 553.5)))
+    step = smoothstep(7, 2, np.sqrt(np.square(x - 180.5) + np.square(y - 416)))
+    froth = (
+        np.maximum(under, 0.8 * step)
+        * (0.7 + 0.4 * fbm(x, y, 4, 3, seed + 6))
+        * smoothstep(1.05, 0.8, maps["off"] / maps["half"])
+    )
+    return np.clip(np.stack([still, froth], axis=-1), 0, 1)
+
+
 def cover(maps: dict[str, np.ndarray], ground: np.ndarray, mask: np.ndarray, seed: int) -> np.ndarray:
     """Sand, rock, grass, always wet `(rows, cols, 4)`: gravel and rock beds, sandy bars inside bends, mud by pools."""
     x, y, level = (maps[name] for name in ("x", "y", "level"))
@@ -51,10 +69,10 @@ def cover(maps: dict[str, np.ndarray], ground: np.ndarray, mask: np.ndarray, see
     stand = np.maximum(mask, 0) * smoothstep(-0.1, 0.4, fbm(x, y, 12, 3, seed + 2) + 0.6)
     sand = np.maximum(np.maximum(bed * (1 - upper), bar), stand)
     dry = smoothstep(0.35, 0.0, fbm(x, y, 14, 3, seed + 3))
-    stony = smoothstep(2.6, 0.4, bank) * upper * (0.45 + 0.55 * dry)
+    stony = smoothstep(2.2, 0.2, bank + 1.6 * fbm(x, y, 12, 3, seed + 4)) * upper * (0.3 + 0.6 * dry)
     rock = np.maximum(maps["stone"], stony) * (1 - stand)
     low = ground - np.where(mask > 0, ground, level)
-    wet = smoothstep(2.2, 0.2, bank) * smoothstep(0.5, 0.05, low) * (ground > -0.6)
+    wet = smoothstep(2.2 - 1.4 * upper, 0.1, bank) * smoothstep(0.5, 0.05, low) * (ground > -0.6)
     near_fall = smoothstep(16, 7, np.sqrt(np.square(x - 335) + np.square(y - 555)))
     cover = np.stack(
         [0.95 * sand * (1 - maps["stone"]), 0.95 * rock, 0 * x, 0.8 * np.maximum(wet, 0.8 * near_fall)], axis=-1

@@ -11,8 +11,11 @@ from terrain_ops import crumble, cut_valleys, points, upsample
 RAPIDS = ((12.2, 15.0), (5.4, 9.9))
 # Boulders placed by hand: x, y, radius, height. At the fall's foot and lip, beside pools, on the beach.
 BOULDERS = points(
-    "330,562,2.6,2.2 334,548,2.2,1.8 326,560,1.6,1.2 340,561,1.8,1.3 341,552,1.6,1.2 187,416,2.4,1.9 173,418,2.2,1.8 "
-    "391,612,2.2,1.4 409,601,1.8,1.1 444,172,2.8,1.9 436,178,1.8,1.1 104,178,3,2 112,171,1.9,1.2 "
+    """
+    330,562,2.6,2.2 334,548,2.2,1.8 326,560,1.6,1.2 340,562,1.8,1.3 341,551,1.6,1.2 187,416,2.4,1.9 173,418,2.2,1.8
+    393,613,2.2,1.6 410,602,1.8,1.1 399,619,2.8,2.2 407,617,2.0,1.5 444,172,2.8,1.9 436,178,1.8,1.1 104,178,3,2
+    112,171,1.9,1.2
+    """
 )
 
 
@@ -71,8 +74,8 @@ def rocks(maps: dict[str, np.ndarray], height: np.ndarray, seed: int) -> np.ndar
     sea = smoothstep(-30, -4, coast) * smoothstep(12, 2, coast) * (height < 3) * (height > -4)
     sea = sea * smoothstep(-0.2, 0.5, fbm(x, y, 40, 3, seed + 51)) * 0.03
     bank = maps["off"] - maps["half"]
-    upper = smoothstep(1.5, 3, bank) * smoothstep(16, 5, bank) * smoothstep(7, 9, maps["level"])
-    upper = upper * smoothstep(0.0, 0.6, fbm(x, y, 26, 3, seed + 53)) * 0.02
+    upper = smoothstep(-1, 1, bank) * smoothstep(16, 4, bank) * smoothstep(7, 9, maps["level"])
+    upper = upper * smoothstep(0.0, 0.6, fbm(x, y, 26, 3, seed + 53)) * 0.03
     picks = np.flatnonzero(rng.random(x.size) < np.maximum(sea, upper).ravel())
     size = 0.75 / np.sqrt(0.05 + rng.random(picks.size))
     near = np.stack([picks % x.shape[1], picks // x.shape[1], size, size * (0.5 + 0.5 * rng.random(picks.size))], -1)

@@ -74,11 +74,11 @@ ISLAND_SETTINGS = {
 DELTA_CAMERAS = [
     Camera(id="play", x=316, y=166, z=56, yaw_deg=245, pitch_deg=-55, fov_deg=48),
     Camera(id="beach", x=238, y=121, z=2.2, yaw_deg=28, pitch_deg=3, fov_deg=50),
-    Camera(id="survey", x=285, y=-70, z=300, yaw_deg=0, pitch_deg=-36, fov_deg=58),
-    Camera(id="spring", x=384, y=580, z=31, yaw_deg=30, pitch_deg=-14, fov_deg=50),
-    Camera(id="fall", x=308, y=540, z=18.4, yaw_deg=60, pitch_deg=0, fov_deg=50),
+    Camera(id="survey", x=505, y=792, z=300, yaw_deg=207, pitch_deg=-32, fov_deg=58),
+    Camera(id="spring", x=390, y=588, z=28, yaw_deg=33, pitch_deg=-15, fov_deg=48),
+    Camera(id="fall", x=308, y=538, z=23.5, yaw_deg=58, pitch_deg=-11, fov_deg=48),
     Camera(id="lake", x=232, y=485, z=25, yaw_deg=40, pitch_deg=-12, fov_deg=55),
-    Camera(id="rapids", x=196, y=374, z=17, yaw_deg=105, pitch_deg=-16, fov_deg=50),
+    Camera(id="rapids", x=276, y=340, z=11.5, yaw_deg=300, pitch_deg=-9, fov_deg=50),
     Camera(id="oxbow", x=165, y=205, z=26, yaw_deg=42, pitch_deg=-20, fov_deg=55),
     Camera(id="mouth", x=300, y=196, z=16, yaw_deg=205, pitch_deg=-12, fov_deg=55),
 ]
