@@ -23,7 +23,7 @@ ROWS, COLS = 641, 513
 # pool, lake, rapids with a step, meanders, the western mouth; then the eastern arm.
 MAIN = points(
     """
-    400,604,4,24,0.5,0.6,5 394,586,4,23.2,1.2,0.5,7 375,571,5,22.3,1.4,0.6,8 352,563,8,21.7,1.3,0.9,10
+    400,604,6,24,0.5,0.7,7 394,586,6,23.2,1.2,0.6,9 375,571,7,22.3,1.4,0.7,10 352,563,9,21.7,1.3,0.9,12
     338,557,11,21.5,1.8,1.3,9 334.4,555.2,12,15.7,4.5,2.2,10 325,550,21,15.5,0.8,2.9,15 311,542,9,15.42,0.9,1.0,14
     295,531,13,15.3,0.5,1.4,20 268,519,24,15.3,0.25,3.0,40 240,507,13,15.3,0.5,1.6,26 226,498,9,15.2,1.2,0.9,12
     205,480,10,14.4,2.1,0.8,7 186,453,10,13.2,2.3,0.8,6 179,424,10,12.0,2.4,0.9,6 179.6,420.6,10,10.4,3.5,1.4,7
@@ -178,7 +178,8 @@ def channel(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.nd
         level + bank + (bar - bank) * inner * smoothstep(26, 9, beyond) + (cut - bank) * outer * smoothstep(9, 4, level)
     )
     shaped = np.minimum(height, high)
-    low = ndimage.maximum_filter(level, 7) + np.minimum(0.12 + 0.3 * beyond, 0.5)
+    above = ndimage.maximum_filter(level, 7)
+    low = np.where(above - level > 0.6, above + 0.3, level) + np.minimum(0.12 + 0.2 * beyond, 0.5)  # beside a fall
     holds = (beyond < 6) & (maps["inland"] > 14) & (maps["lake"] > 1.3) & (maps["spring"] > 1.5)
     shaped = np.where(holds, np.maximum(shaped, low - 5 * smoothstep(3, 6, beyond)), shaped)
     deeper = (height < bed) & ((maps["inland"] < 8) | (maps["lake"] < 1.3) | (maps["spring"] < 1.3))

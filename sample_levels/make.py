@@ -74,7 +74,7 @@ ISLAND_SETTINGS = {
 DELTA_CAMERAS = [
     Camera(id="play", x=316, y=166, z=56, yaw_deg=245, pitch_deg=-55, fov_deg=48),
     Camera(id="beach", x=238, y=121, z=2.2, yaw_deg=28, pitch_deg=3, fov_deg=50),
-    Camera(id="survey", x=505, y=792, z=300, yaw_deg=207, pitch_deg=-32, fov_deg=58),
+    Camera(id="survey", x=472, y=742, z=300, yaw_deg=205, pitch_deg=-34, fov_deg=58),
     Camera(id="spring", x=390, y=588, z=28, yaw_deg=33, pitch_deg=-15, fov_deg=48),
     Camera(id="fall", x=308, y=538, z=23.5, yaw_deg=58, pitch_deg=-11, fov_deg=48),
     Camera(id="lake", x=232, y=485, z=25, yaw_deg=40, pitch_deg=-12, fov_deg=55),

@@ -1,4 +1,4 @@
-"""The two sample levels: they open, show what each built row needs, and come out of their generator again (D40 D41)."""
+"""The sample levels: they open, show what each built row needs, and come out of their generator again (D40 D41)."""
 
 import importlib
 from pathlib import Path
@@ -12,7 +12,7 @@ from shorewright.level.shore import shore_map
 from shorewright.level.waves import sea_at
 
 FOLDER = Path(__file__).parents[1] / "sample_levels"
-NAMES = ("cove", "island")
+NAMES = ("cove", "island", "delta")
 
 
 @pytest.fixture(scope="module", params=NAMES)
