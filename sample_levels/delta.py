@@ -178,10 +178,10 @@ def channel(height: np.ndarray, maps: dict[str, np.ndarray], seed: int) -> np.nd
         level + bank + (bar - bank) * inner * smoothstep(26, 9, beyond) + (cut - bank) * outer * smoothstep(9, 4, level)
     )
     shaped = np.minimum(height, high)
-    above = ndimage.maximum_filter(level, 7)
+    above = ndimage.maximum_filter(level, 9)
     low = np.where(above - level > 0.6, above + 0.3, level) + np.minimum(0.12 + 0.2 * beyond, 0.5)  # beside a fall
-    holds = (beyond < 6) & (maps["inland"] > 14) & (maps["lake"] > 1.3) & (maps["spring"] > 1.5)
-    shaped = np.where(holds, np.maximum(shaped, low - 5 * smoothstep(3, 6, beyond)), shaped)
+    holds = (beyond < 7) & (maps["inland"] > 14) & (maps["lake"] > 1.3) & (maps["spring"] > 1.5)
+    shaped = np.where(holds, np.maximum(shaped, low - 5 * smoothstep(4.5, 7, beyond)), shaped)
     deeper = (height < bed) & ((maps["inland"] < 8) | (maps["lake"] < 1.3) | (maps["spring"] < 1.3))
     shaped = np.where(part < 1, np.where(deeper, height, bed), shaped)
     gap = np.minimum(height, bed + 0.06 * out + 0.4 * np.square(part))  # on through the beach's foot

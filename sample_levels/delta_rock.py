@@ -59,8 +59,8 @@ def bed_stones(maps: dict[str, np.ndarray], height: np.ndarray, seed: int) -> np
         * smoothstep(1.15, 0.9, part)
         * (0.35 + smoothstep(-0.1, 0.5, fbm(maps["x"], maps["y"], 22, 2, seed + 56)))
     )
-    picks = np.flatnonzero(rng.random(chance.size) < chance.ravel() * 0.05)
-    size = 0.8 + 1.0 * np.square(rng.random(picks.size))
+    picks = np.flatnonzero(rng.random(chance.size) < chance.ravel() * 0.09)
+    size = 0.7 + 0.9 * np.square(rng.random(picks.size))
     row, col = picks // height.shape[1], picks % height.shape[1]
     over = 0.15 + 0.55 * rng.random(picks.size)
     tall = level[row, col] + over * size - height[row, col]

@@ -12,9 +12,9 @@ from pictures import LAYER, PICTURES, SMALL, Shot
 from shorewright.renderer import VIEWS
 
 CREEK = "570,420,22,0,-25"
-RAPIDS = "190,372,16,70,-22"
-OXBOW = "150,222,13,58,-24"
-COURSE = ("survey", "spring", "fall", "lake", "rapids", "oxbow", "mouth", "play", "beach")
+RAPIDS = "206,381,13.6,117,-15"
+OXBOW = "160,214,13,50,-22"
+COURSE = ("survey", "valley", "spring", "fall", "lake", "rapids", "oxbow", "mouth", "play", "beach")
 # The talk's break-down of one river, in its order; a view that isn't built is told and left out
 BREAKDOWN = (
     "river_raw_flow", "river_curl", "river_flow_sum", "river_stagnant", "river_turbulent", "river_masked", "flow_speed",
