@@ -11,7 +11,7 @@ from pathlib import Path
 from pictures import LAYER, PICTURES, SMALL, Shot
 from shorewright.renderer import VIEWS
 
-CREEK = "570,420,22,0,-25"
+CREEK = "392,404,24,22,-20"
 RAPIDS = "206,381,13.6,117,-15"
 OXBOW = "160,214,13,50,-22"
 COURSE = ("survey", "valley", "spring", "fall", "lake", "rapids", "oxbow", "mouth", "play", "beach")
