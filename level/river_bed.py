@@ -38,7 +38,7 @@ def carved(level: Level, river: River) -> tuple[Rect, np.ndarray]:
     made = np.where(off_m < half_m, np.minimum(ground, bed_m), np.minimum(ground, high))
     hold = (off_m >= half_m) & (i < line.mouth) & (low > sea_m) & (ground > sea_m)
     beach = np.clip((ground - sea_m) / BANK_RISE_M, 0, 1)  # banks run out on it
-    made = np.where(hold, np.maximum(made, ground + (low - ground) * beach), made)
+    made = np.where(hold, np.maximum(made, ground + np.maximum(low - ground, 0) * beach), made)
     fill = (off_m < half_m) & (i < line.mouth) & (ground < bed_m) & (bed_m > sea_m)  # no river over an abyss
     made = np.where(fill, bed_m, made)
     return rect, np.where(laid.near, made, ground).astype(np.float32)
