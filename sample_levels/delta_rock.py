@@ -62,8 +62,8 @@ def bed_stones(maps: dict[str, np.ndarray], height: np.ndarray, seed: int) -> np
     picks = np.flatnonzero(rng.random(chance.size) < chance.ravel() * 0.09)
     size = 0.7 + 0.9 * np.square(rng.random(picks.size))
     row, col = picks // height.shape[1], picks % height.shape[1]
-    over = 0.15 + 0.55 * rng.random(picks.size)
-    tall = level[row, col] + over * size - height[row, col]
+    over = 0.3 + 0.6 * rng.random(picks.size)
+    tall = 1.2 * (level[row, col] + over * size - height[row, col])
     return boulders(height, np.stack([col, row, size, np.maximum(tall, 0.4)], -1), seed + 57)
 
 

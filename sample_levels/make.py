@@ -79,7 +79,7 @@ DELTA_CAMERAS = [
     Camera(id="spring", x=390, y=588, z=28, yaw_deg=33, pitch_deg=-15, fov_deg=48),
     Camera(id="fall", x=308, y=538, z=23.5, yaw_deg=58, pitch_deg=-11, fov_deg=48),
     Camera(id="lake", x=232, y=485, z=25, yaw_deg=40, pitch_deg=-12, fov_deg=55),
-    Camera(id="rapids", x=206, y=381, z=13.6, yaw_deg=117, pitch_deg=-15, fov_deg=50),
+    Camera(id="rapids", x=300, y=338, z=9.6, yaw_deg=297, pitch_deg=-9, fov_deg=45),
     Camera(id="oxbow", x=165, y=205, z=26, yaw_deg=42, pitch_deg=-20, fov_deg=55),
     Camera(id="mouth", x=300, y=196, z=16, yaw_deg=205, pitch_deg=-12, fov_deg=55),
 ]

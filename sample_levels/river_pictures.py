@@ -12,7 +12,7 @@ from pictures import LAYER, PICTURES, SMALL, Shot
 from shorewright.renderer import VIEWS
 
 CREEK = "392,404,24,22,-20"
-RAPIDS = "206,381,13.6,117,-15"
+RAPIDS = "222,495,18.6,229,-16"
 OXBOW = "160,214,13,50,-22"
 COURSE = ("survey", "valley", "spring", "fall", "lake", "rapids", "oxbow", "mouth", "play", "beach")
 # The talk's break-down of one river, in its order; a view that isn't built is told and left out
