@@ -6,10 +6,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from scipy import ndimage
+from shorewright.app.script import Script
 from shorewright.io import read_level
 from shorewright.level import LAYERS
 from shorewright.level.objects import Camera, Disturbance, River
-from shorewright.level.river_line import centre_line
+from shorewright.level.river_line import centre_line, wrong_with
 from shorewright.level.river_map import river_map
 from shorewright.level.shore import shore_map
 from shorewright.level.waves import sea_at
@@ -197,6 +198,18 @@ def test_delta_has_water_at_four_levels(delta):
     assert len(levels) == 3
     assert all(np.ptp(part) < 0.02 for part in levels)
     assert sorted(round(float(part.mean()), 1) for part in levels) == pytest.approx([1.8, 15.3, 24.0], abs=0.1)
+
+
+def test_scripts_of_the_river_pictures_run_and_wrong_rivers_are_refused(monkeypatch):
+    """D13: what docs/rivers.md shows can be done, and what it says can't be is told."""
+    monkeypatch.syspath_prepend(str(FOLDER))
+    pictures = importlib.import_module("river_pictures")
+    assert all(wrong_with(points) for points in pictures.WRONG.values())
+    asked = {shot.level.partition("+") for shot in pictures.RIVERS}
+    for name, plus, session in asked:
+        assert (FOLDER / f"{name}.shore").is_dir()
+        if plus:
+            assert Script.model_validate_json((FOLDER / f"{session}.json").read_text("utf-8")).actions
 
 
 def test_generator_gives_the_committed_levels(sample, monkeypatch):
