@@ -31,12 +31,14 @@ def carved(level: Level, river: River) -> tuple[Rect, np.ndarray]:
     inside = np.clip(off_m / half_m, 0, 1)
     bed_m = water_m - river.depth_m * (1 - inside * inside)
     out_m = np.maximum(off_m - half_m, 0)
-    bank_m = water_m + BANK_RISE_M * np.clip(out_m / BANK_M, 0, 1)
+    rise_m = np.clip(water_m - sea_m, 0, BANK_RISE_M)  # none at the sea: a beach needs no dam
+    bank_m = water_m + rise_m * np.clip(out_m / BANK_M, 0, 1)
     beyond_m = np.maximum(out_m - BANK_M, 0)
     low, high = bank_m - DAM_SLOPE * beyond_m, bank_m + SIDE_SLOPE * beyond_m
     made = np.where(off_m < half_m, np.minimum(ground, bed_m), np.minimum(ground, high))
-    hold = (off_m >= half_m) & (i < line.mouth) & (low > sea_m)
-    made = np.where(hold, np.maximum(made, low), made)
+    hold = (off_m >= half_m) & (i < line.mouth) & (low > sea_m) & (ground > sea_m)
+    beach = np.clip((ground - sea_m) / BANK_RISE_M, 0, 1)  # banks run out on it
+    made = np.where(hold, np.maximum(made, ground + np.maximum(low - ground, 0) * beach), made)
     fill = (off_m < half_m) & (i < line.mouth) & (ground < bed_m) & (bed_m > sea_m)  # no river over an abyss
     made = np.where(fill, bed_m, made)
     return rect, np.where(laid.near, made, ground).astype(np.float32)

@@ -1,4 +1,4 @@
-"""Make the sample levels from a seed: `python sample_levels/make.py [cove] [island] [--out DIR]`."""
+"""Make the sample levels from a seed: `python sample_levels/make.py [cove] [island] [delta] [--out DIR]`."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from pathlib import Path
 import boats
 import cove
 import cove_paint
+import delta
+import delta_paint
 import island
 import numpy as np
 from shorewright.level import Grid, Level, Settings
@@ -69,6 +71,36 @@ ISLAND_SETTINGS = {
     "ground.grass_slope_deg": 50.0,
     "ground.sand_top_m": 3.0,
 }
+DELTA_CAMERAS = [
+    Camera(id="play", x=316, y=166, z=56, yaw_deg=245, pitch_deg=-55, fov_deg=48),
+    Camera(id="beach", x=238, y=121, z=2.2, yaw_deg=28, pitch_deg=3, fov_deg=50),
+    Camera(id="survey", x=472, y=742, z=300, yaw_deg=205, pitch_deg=-34, fov_deg=58),
+    Camera(id="valley", x=420, y=560, z=250, yaw_deg=206, pitch_deg=-38, fov_deg=50),
+    Camera(id="spring", x=390, y=588, z=28, yaw_deg=33, pitch_deg=-15, fov_deg=48),
+    Camera(id="fall", x=308, y=538, z=23.5, yaw_deg=58, pitch_deg=-11, fov_deg=48),
+    Camera(id="lake", x=232, y=485, z=25, yaw_deg=40, pitch_deg=-12, fov_deg=55),
+    Camera(id="rapids", x=300, y=338, z=9.6, yaw_deg=297, pitch_deg=-9, fov_deg=45),
+    Camera(id="oxbow", x=165, y=205, z=26, yaw_deg=42, pitch_deg=-20, fov_deg=55),
+    Camera(id="mouth", x=300, y=196, z=16, yaw_deg=205, pitch_deg=-12, fov_deg=55),
+]
+DELTA_SETTINGS = {
+    "level.seed": SEED + 9,
+    "shore.interval_s": 8.0,
+    "shore.plunge": 1.0,
+    "shore.height_m": 1.0,
+    "shore.variety": 0.6,
+    "shore.runup_variety": 0.45,
+    "shore.stagger": 0.3,
+    "sea.swell_heading_deg": 8.0,
+    "light.sun_elevation_deg": 46.0,
+    "light.exposure_ev": 13.8,
+    "clouds.on": True,
+    "weather.coverage": 0.34,
+    "weather.type": 1.0,
+    "ground.rock_slope_deg": 40.0,
+    "ground.grass_slope_deg": 36.0,
+    "ground.sand_top_m": 2.3,
+}
 
 
 def build(base: np.ndarray, settings: dict[str, object], cameras: list[Camera]) -> Level:
@@ -104,14 +136,24 @@ def make_island(seed: int = SEED + 4) -> Level:
     return level
 
 
-LEVELS = {"cove": make_cove, "island": make_island}
+def make_delta(seed: int = SEED + 9) -> Level:
+    """Rivers from source to sea: spring, fall, lake, rapids, meanders, an oxbow and two mouths on a beach."""
+    ground, maps = delta.height(seed)
+    level = build(ground, DELTA_SETTINGS, DELTA_CAMERAS)
+    delta_paint.paint(level, maps, seed + 100)
+    for thing in delta.rivers():
+        level.put_object(thing.id, thing)
+    return level
+
+
+LEVELS = {"cove": make_cove, "island": make_island, "delta": make_delta}
 
 
 def main() -> None:
     from shorewright.io import write_level
 
     parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("names", nargs="*", metavar="NAME", help="cove, island; all when none is named")
+    parser.add_argument("names", nargs="*", metavar="NAME", help="cove, island, delta; all when none is named")
     parser.add_argument("--out", type=Path, default=HERE, help="folder that takes the levels")
     arguments = parser.parse_args()
     if unknown := set(arguments.names) - set(LEVELS):

@@ -135,7 +135,7 @@ MOODS = tuple(
 )
 
 # level: a sheet of its cameras under every environment (L08)
-SHEETS = ("cove", "island", "rock")
+SHEETS = ("cove", "island", "delta", "rock")
 ROCK = ROOT.parent / "shared" / "data" / "coasts" / "pyramidrock_hi.celeris.txt"
 ROCK_FLAGS = ("--cell-m", "2x1", "--rows", "south-first")
 
@@ -227,11 +227,12 @@ def draw_maps(maps, folder: Path) -> int:
 def main() -> int:
     """Draw every shot and sheet into docs/pictures and print the path of each, one a line; or those named."""
     from cloud_pictures import CLOUDS  # they take Shot from here
+    from river_pictures import RIVERS, missing, tell_wrong
     from timing_pictures import MAPS, TIMING
 
     wanted = sys.argv[1:]  # parts of names; none: all
     with tempfile.TemporaryDirectory() as folder:
-        for shot in (*SHOTS, *ROWS, *SEA, *MOODS, *CLOUDS, *TIMING):
+        for shot in (*SHOTS, *ROWS, *SEA, *MOODS, *CLOUDS, *TIMING, *RIVERS):
             if wanted and not any(part in shot.name for part in wanted):
                 continue
             code = draw(shot, Path(folder))
@@ -239,6 +240,8 @@ def main() -> int:
                 return code
         if wanted:
             return 0
+        missing()
+        tell_wrong(ROOT / "sample_levels" / "delta.shore", Path(folder))
         return draw_maps(MAPS, Path(folder)) or draw_sheets(Path(folder))
 
 

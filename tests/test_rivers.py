@@ -81,6 +81,17 @@ def test_the_bed_is_carved_under_the_water_and_holds_it():
     assert (after[:, :20] == before[:, :20]).all()
 
 
+def test_no_dam_is_built_out_to_sea():
+    """D13: carving a river that ends beyond the shoreline raises no ground that the sea covers."""
+    level = make_beach(rows=161, cols=121)
+    before = level.height.copy()
+    rect, made = carved(level, down(60, 155, 60, 50, (4.5, 3.0, 1.2, 0.3, 0.0)))
+    under = before[rect.slices] < level.mean_sea_m
+    assert under.any()
+    assert (made <= before[rect.slices])[under].all()
+    assert (made < before[rect.slices])[under].any()
+
+
 def test_surface_stands_at_the_rivers_level_inland_and_at_the_seas_outside():
     """H32: water at any level is one surface with the sea."""
     level = coast()

@@ -1,18 +1,22 @@
-"""The two sample levels: they open, show what each built row needs, and come out of their generator again (D40 D41)."""
+"""The sample levels: they open, show what each built row needs, and come out of their generator again (D40 D41)."""
 
 import importlib
 from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy import ndimage
+from shorewright.app.script import Script
 from shorewright.io import read_level
 from shorewright.level import LAYERS
-from shorewright.level.objects import Camera, Disturbance
+from shorewright.level.objects import Camera, Disturbance, River
+from shorewright.level.river_line import centre_line, wrong_with
+from shorewright.level.river_map import river_map
 from shorewright.level.shore import shore_map
 from shorewright.level.waves import sea_at
 
 FOLDER = Path(__file__).parents[1] / "sample_levels"
-NAMES = ("cove", "island")
+NAMES = ("cove", "island", "delta")
 
 
 @pytest.fixture(scope="module", params=NAMES)
@@ -155,6 +159,57 @@ def test_island_has_a_lagoon_that_the_sea_reaches():
     crossing = height[400, 760:]  # eastwards, over the reef to the open sea
     assert crossing.max() > -1.5
     assert crossing[-1] < -20
+
+
+@pytest.fixture(scope="module")
+def delta():
+    return read_level(FOLDER / "delta.shore")
+
+
+def test_delta_has_two_rivers_from_a_spring_over_a_fall_to_the_sea(delta):
+    """D13 D35: some 25 m down, 4 to 6 m of it within a few metres of way; both mouths at the sea's level."""
+    lines = [centre_line(thing, delta.mean_sea_m) for thing in delta.objects.values() if isinstance(thing, River)]
+    assert len(lines) == 2
+    main = max(lines, key=lambda line: line.along_m[line.mouth - 1])
+    assert 20 < main.level_m[0] < 30
+    five_m = np.searchsorted(main.along_m, main.along_m + 5).clip(max=len(main.x) - 1)
+    assert 4 < (main.level_m - main.level_m[five_m])[: main.mouth].max() < 6.5
+    for line in lines:
+        assert abs(line.level_m[line.mouth - 1] - delta.mean_sea_m) < 0.05
+        assert delta.height[int(line.y[-1]), int(line.x[-1])] < -1
+        depth = line.level_m - delta.height[np.rint(line.y).astype(int), np.rint(line.x).astype(int)]
+        assert (depth[: line.mouth] > 0.1).mean() > 0.95  # but for boulders
+
+
+def test_deltas_banks_hold_its_water(delta):
+    """D13: past the edge of the water the ground is higher, all along."""
+    made = river_map(delta).packed
+    inland = shore_map(delta).packed[..., 2] < 0.01
+    rim = (made[..., 1] > 0) & (made[..., 1] < 0.5) & inland & (made[..., 0] > 0.3)
+    assert rim.sum() > 2000
+    assert (made[..., 0] - delta.height)[rim].max() < 0.05
+
+
+def test_delta_has_water_at_four_levels(delta):
+    """H32: spring, lake, pool and ocean in one level; what stands is level and joins no other water."""
+    mask, surface = (delta.layers[name].array for name in ("river_mask", "river_surface"))
+    bodies, count = ndimage.label(mask > 0.5)
+    levels = [surface[bodies == body] for body in range(1, count + 1) if (bodies == body).sum() > 50]
+    assert len(levels) == 3
+    assert all(np.ptp(part) < 0.02 for part in levels)
+    assert sorted(round(float(part.mean()), 1) for part in levels) == pytest.approx([1.8, 15.3, 24.0], abs=0.1)
+
+
+def test_scripts_of_the_river_pictures_run_and_wrong_rivers_are_refused(monkeypatch):
+    """D13: what docs/rivers.md shows can be done, and what it says can't be is told."""
+    monkeypatch.syspath_prepend(str(FOLDER))
+    pictures = importlib.import_module("river_pictures")
+    assert all(wrong_with(points) for points in pictures.WRONG.values())
+    asked = {shot.level.partition("+") for shot in pictures.RIVERS}
+    for name, plus, session in asked:
+        assert (FOLDER / f"{name}.shore").is_dir()
+        if plus:
+            assert Script.model_validate_json((FOLDER / f"{session}.json").read_text("utf-8")).actions
 
 
 def test_generator_gives_the_committed_levels(sample, monkeypatch):
