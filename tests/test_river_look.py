@@ -1,4 +1,4 @@
-"""How rivers look: flow, eddies, both layers of foam, where foam comes from, the mouth (D14 to D16, D18, D19, D35)."""
+"""How rivers look: flow, eddies, both layers of foam, where foam comes from, the mouth (D14 to D16, D19, D22, D35)."""
 
 import numpy as np
 import pytest
@@ -49,7 +49,9 @@ def buffers(level, renderer, camera=ABOVE, time_s=3.0):
         return values / np.float32(255) if kind is np.uint8 else values.astype(np.float32)
 
     return {
+        "material": read("g_material")[..., 1] * 255,
         "foam": read("g_material")[..., 2],
+        "wet": read("g_material")[..., 3],
         "albedo": read("g_albedo")[..., :3] ** 2,
         "light": read("g_emissive")[..., :3],
         "xy": read("g_before"),
@@ -156,6 +158,21 @@ def test_a_push_lifts_a_river_as_the_twin_says(renderer):
     assert np.abs(lift).max() > 0.1
     # the low tier draws cells, not the surface of each pixel
     assert np.sqrt(np.mean((seen_lift - lift) ** 2)) < 0.3 * np.sqrt(np.mean(lift**2))
+
+
+def test_banks_are_wet_a_little_above_the_water(renderer):
+    """D22 for rivers: a band as high as the knob says, none without."""
+    level = brook(levels=(3.0, 3.0))
+    bands = []
+    for wet_m in (0.0, 0.3):
+        level.set("river.wet_m", wet_m)
+        drawn = buffers(level, renderer)
+        bank = (np.round(drawn["material"]) == 1) & (drawn["z"] > 3.0) & (drawn["xy"][..., 1] > 80)
+        wet = bank & (drawn["wet"] > 0.3)
+        bands.append(wet.sum())
+        assert (drawn["z"][wet] < 3.0 + 1.6 * wet_m + 0.02).all()
+    assert bands[0] == 0
+    assert bands[1] > 20
 
 
 def mouth(renderer, **settings):

@@ -120,7 +120,7 @@ Foam turbulent_foam(vec2 xy, vec2 flow, float amount, float pixel_m) {
     torn.rgb = clamp(0.5 + 0.55 * (fields.rgb - 0.5) + 0.75 * (thread - 0.5), 0.0, 1.0);
     float cover = foam_cover(torn, amount, lod);
     // on a fall, white all over, the threads alone show which way it goes
-    cover = saturate(cover * (0.72 + 0.25 * fields.a + 0.18 * fields.g) * mix(0.74, 1.12, thread));
+    cover = saturate(cover * (0.72 + 0.25 * fields.a + 0.18 * fields.g) * mix(0.62, 1.14, thread));
     return Foam(cover, amount, smoothstep(0.1, 0.8, amount), saturate(0.25 + 0.5 * thread + 0.5 * (fields.b - 0.5)), 0.7);
 }
 
