@@ -18,7 +18,7 @@ MOUTH = Camera(id="mouth", x=24, y=60, z=125, yaw_deg=0, pitch_deg=-89.9, fov_de
 def brook(levels=(3.0, 2.9), mps=0.0, ends_m=72, width_m=12.0):
     """A beach with a river straight down it, 43 m long, its points evenly along; it flows as fast as is painted."""
     level = make_beach(rows=121, cols=49)
-    for path in ("river.wave_m", "river.curl", "river.stagnant_still", "flow.shore_mps"):
+    for path in ("river.wave_m", "river.curl", "river.stagnant_still", "flow.shore_mps", "flow.rivers"):
         level.set(path, 0.0)
     way = np.linspace(0, ends_m - 115, len(levels))
     points = tuple((0.0, float(y), width_m, float(v), 1.0) for y, v in zip(way, levels, strict=True))
