@@ -155,6 +155,8 @@ def _kept(level: Level, asked: Asked) -> ArrivalMap:
 
 def _asked_once(level: Level, time_s: float, rise_m: float) -> Asked:
     """`asked_of`, remembered: all who ask for one frame ask the same."""
+    if np.ndim(time_s):  # many moments at once are nobody's frame
+        return asked_of(level, time_s, rise_m=rise_m)
     bed, settings = shore_map(level), level.settings
     key = time_s, rise_m, level.live, bed.revision, bed.whole, level.objects_revision
     kept: dict = level.derived.setdefault("asked", {})

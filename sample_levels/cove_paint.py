@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import numpy as np
-from cove import SURFACE
+from cove import RIVER, SHORE, SURFACE
 from noise_ops import fbm, smoothstep, warp, worley
 from scipy.interpolate import PchipInterpolator
 from shorewright.level import Level, Rect
 from shorewright.level.layers import WEATHER_GRID
+from shorewright.level.objects import River
+from terrain_ops import Curve
 
 MOUTH = Rect(360, 470, 508, 640)  # beach and river mouth: what `play` shows, and a margin
 VALLEY = Rect(360, 460, 769, 770)  # the river from the edge of the level to the sea
@@ -49,6 +51,21 @@ def paint(level: Level, maps: dict[str, np.ndarray], seed: int) -> None:
     sky(level, seed)
 
 
+def creek() -> River:
+    """The river as an object: its flow, and how it meets the sea; where its water stands is painted."""
+    line = Curve(RIVER)
+    mouth_m = float(line.arc[np.argmin(np.abs(Curve(SHORE).nearest(*line.points.T)[0]))])
+    along = np.linspace(mouth_m - 330, mouth_m + 6, 9)
+    places = np.stack([np.interp(along, line.arc, line.points[:, axis]) for axis in (0, 1)], axis=-1)
+    past = along - mouth_m
+    level_m = np.minimum.accumulate(np.maximum(PchipInterpolator(*SURFACE.T)(past), 0.0))
+    width_m = 2 * (5.5 + 4.5 * smoothstep(-70, 0, past))
+    first = np.round(places[0], 1)
+    points = [(round(float(x - first[0]), 1), round(float(y - first[1]), 1), round(float(w), 1), round(float(m), 2), 1.0)
+              for (x, y), w, m in zip(places, width_m, level_m, strict=True)]  # fmt: skip
+    return River(id="creek", x=float(first[0]), y=float(first[1]), points=tuple(points), depth_m=0.8)
+
+
 def at(rect: Rect, *arrays: np.ndarray) -> list[np.ndarray]:
     return [array[rect.slices] for array in arrays]
 
@@ -67,7 +84,7 @@ def river(level: Level, near: dict, x, y, seed: int) -> None:
     jet = smoothstep(16, 3, np.abs(aside)) * smoothstep(-20, 0, past) * smoothstep(58, 15, past)
     along = np.stack([near["river_east"], near["river_north"]], axis=-1)
     drift = shore_drift(near, past)
-    level.write("flow", VALLEY, along * (speed + 0.7 * jet * (1 - mask))[..., None] + drift)
+    level.write("flow", VALLEY, along * (0.3 * speed + 0.2 * jet * (1 - mask))[..., None] + drift)
     calm = mask * smoothstep(0.55, 0.1, depth) * smoothstep(-0.1, 0.4, fbm(x, y, 13, 3, seed + 1))
     rough = mask * smoothstep(0.012, 0.035, fall) * (0.6 + 0.4 * fbm(x, y, 5, 3, seed + 2))
     level.write("river_foam", VALLEY, np.clip(np.stack([0.8 * calm, rough], axis=-1), 0, 1))
@@ -105,6 +122,7 @@ def blots(level: Level, near: dict, x, y, seed: int) -> None:
     level.write("shelter", MOUTH, disc(x, y, 520, 452, 6, seed + 11))
     level.write("snow", MOUTH, 0.55 * disc(x, y, 557, 464, 6, seed + 12))
     level.write("ice", MOUTH, 0.8 * disc(x, y, 545, 473, 12, seed + 13) * smoothstep(12, 9, np.abs(near["river_m"])))
+    level.write("mouth", MOUTH, 0.4 * disc(x, y, 533, 446, 9, seed + 15))
     level.write("corruption", MOUTH, disc(x, y, 528, 422, 12, seed + 14))
 
 

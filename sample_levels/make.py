@@ -124,6 +124,7 @@ def make_cove(seed: int = SEED) -> Level:
     for index, (time_s, x, y, radius_m, strength) in enumerate(pushes):
         name = f"push-{index:02d}"
         level.put_object(name, Disturbance(id=name, x=x, y=y, time_s=time_s, radius_m=radius_m, strength=strength))
+    level.put_object("creek", cove_paint.creek())
     boats.place(level)
     return level
 
