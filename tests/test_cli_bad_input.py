@@ -49,6 +49,15 @@ BAD = {
         ["remove", "beach.shore"],
         ["remove", "beach.shore", "none"],
     ],
+    "lint": [
+        [],
+        ["nowhere.shore"],
+        ["text.txt"],
+        ["beach.shore", "--range", "0"],
+        ["beach.shore", "--range", "nan"],
+        ["beach.shore", "--range", "fast"],
+        ["beach.shore", "--bogus"],
+    ],
     "new": [
         [],
         ["beach.shore"],
