@@ -12,9 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from ..level import Level
-from ..level.objects import MOST_OUTLINE, Camera, Placed, SwellRegion, WaveObject
+from ..level.objects import Camera, Placed, SwellRegion, WaveObject
 from ..level.outline import points_of, whole_line, whole_m, with_point, without_point
 from ..level.pick import ground_at
+from ..level.water_objects import MOST_OUTLINE
 from ..level.wave_objects import CENTRE, inner_m, object_fronts, phase_cycles
 from .camera_control import to_screen
 from .object_markers import on_surface

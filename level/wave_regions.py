@@ -15,8 +15,8 @@ import numpy as np
 
 from .gerstner import PHASE_GAIN, Fronts
 from .level import Level
-from .objects import MOST_OUTLINE, SwellRegion
 from .outline import band_m, edges_of, reach_m, whole_m
+from .water_objects import MOST_OUTLINE, SwellRegion
 from .wave_lists import MOST_REGIONS, wave_regions
 
 

@@ -61,9 +61,9 @@ def creek() -> River:
     level_m = np.minimum.accumulate(np.maximum(PchipInterpolator(*SURFACE.T)(past), 0.0))
     width_m = 2 * (5.5 + 4.5 * smoothstep(-70, 0, past))
     first = np.round(places[0], 1)
-    points = [(round(float(x - first[0]), 1), round(float(y - first[1]), 1), round(float(w), 1), round(float(m), 2), 1.0)
-              for (x, y), w, m in zip(places, width_m, level_m, strict=True)]  # fmt: skip
-    return River(id="creek", x=float(first[0]), y=float(first[1]), points=tuple(points), depth_m=0.8)
+    numbers = np.round(np.column_stack([places - first, width_m, level_m, np.ones(len(along))]), 2)
+    points = tuple(tuple(float(v) for v in row) for row in numbers)
+    return River(id="creek", x=float(first[0]), y=float(first[1]), points=points, depth_m=0.8)
 
 
 def at(rect: Rect, *arrays: np.ndarray) -> list[np.ndarray]:
