@@ -39,6 +39,7 @@ SHOTS = (
     Shot("cove", "cove", "612,420,2.4,113,0", 14.3, settings=EVENING),
     Shot("cove-play", "cove", "play"),
     Shot("cove-beach", "cove", "beach"),
+    Shot("cove-plunge", "cove", "306,421,1.5,250,-3", 10.2),
     Shot("cove-survey", "cove", "survey"),
     Shot("cove-against-light", "cove", "560,432,5,250,-5", 14.3, settings=EVENING),
     Shot("cove-sculpted", "cove+session", "play"),
