@@ -28,7 +28,7 @@ LEAST_RANGE_MPS = 0.125
 
 @dataclass(frozen=True)
 class FlowBytes:
-    """`bytes` uint8 `(rows, cols, 3)` of samples `cell_m` apart; `fastest_mps` of a component, clipped over the range."""
+    """`bytes` uint8 `(rows, cols, 3)` of samples `cell_m` apart; `fastest_mps` a component, clipped over the range."""
 
     bytes: np.ndarray
     range_mps: float

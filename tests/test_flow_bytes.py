@@ -1,10 +1,10 @@
-"""The whole current in bytes: one code, still water that stands, what exporters write and `check` decodes (T02, T10)."""
+"""The whole current in bytes: one code, still water stands, what exporters write and `check` decodes (T02, T10)."""
 
 import json
 
 import numpy as np
 import pytest
-from exports import MANIFEST, slope_level
+from exports import MANIFEST, sign, slope_level
 from hypothesis import given
 from hypothesis import strategies as st
 from shorewright.io.export import check, export
@@ -12,7 +12,8 @@ from shorewright.io.images import read_image, write_image
 from shorewright.level import BadInput, Grid, Level
 from shorewright.level.flow import current
 from shorewright.level.flow_bytes import MOST, NEUTRAL, coded, decoded, encoded, fitting_range, flow_bytes
-from test_check_decode import sign
+from shorewright.level.objects import Camera
+from shorewright.renderer import render
 
 
 @given(st.floats(-8, 8), st.floats(-8, 8), st.floats(0.125, 16))
@@ -133,3 +134,44 @@ def test_clipped_and_still_levels(tmp_path):
     assert len(export(still, "unreal", tmp_path / "still")) == 2
     with pytest.raises(BadInput, match="nothing of that"):
         export(still, "unreal", tmp_path / "none", only="flow")
+
+
+def moved_pool():
+    """A pool without waves; in its eastern half the paint runs, in the western all is still."""
+    level = Level(Grid(96, 96), np.full((96, 96), -4.0, np.float32))
+    painted = np.zeros((96, 96, 2), np.float32)
+    painted[:, 48:] = 0.7, 0.3
+    level.write("flow", level.grid.rect, painted)
+    for name in ("flow.shore_mps", "sea.swell_m", "sea.chop_m"):
+        level.set(name, 0.0)
+    level.set("shore.on", False)
+    return level
+
+
+@pytest.mark.gl
+def test_view_of_the_bytes_moves_where_they_do(renderer):
+    """T02: two moments differ where the bytes say so, in nothing where the current is zero."""
+    level = moved_pool()
+    camera = Camera(id="c", x=48, y=20, z=30, yaw_deg=0, pitch_deg=-60)
+    now, later = (
+        render(level, camera, (96, 54), time_s, view="flow_exported", renderer=renderer).astype(int)
+        for time_s in (4.0, 5.3)
+    )
+    changed = (now != later).any(-1)
+    assert not changed[:, :46].any()
+    assert changed[:, 52:].mean() > 0.4
+    assert now[:, :46].std() > 10  # foam lies there too
+
+
+@pytest.mark.gl
+def test_gpu_decodes_as_the_cpu(renderer):
+    """T02: what is lost stays within the rounding of both components; a range too small shows what it cuts off."""
+    level = moved_pool()
+    camera = Camera(id="c", x=70, y=20, z=30, yaw_deg=0, pitch_deg=-60)
+    shot = {"size": (64, 36), "time_s": 0.0, "view": "flow_lost", "renderer": renderer, "linear": True}
+    right = render(level, camera, **shot)[..., 0][:, 32:]  # all of it where the current is even
+    off = decoded(encoded([0.7, 0.3], 1.0), 1.0) - [0.7, 0.3]
+    assert np.median(right) == pytest.approx(np.hypot(*off) * MOST, abs=0.1)  # the float current is a half
+    level.set("flow.export_mps", 0.35)
+    cut = np.median(render(level, camera, **shot)[..., 0][:, 32:])
+    assert cut == pytest.approx(0.35 * MOST / 0.35, rel=0.02)

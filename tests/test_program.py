@@ -32,6 +32,7 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "CO
             "weather_inset.glsl": ({"INSET_MAP": ""},),
             "view.glsl": ({"VIEW_VALUE": "vec3(1.0)"},
                           {"VIEW_VALUE": "masked_shown(sea, s.before, 0.1)", "RIVERS": ""},
+                          {"VIEW_VALUE": "flow_exported(s.before, 0.1)", "FLOW_BYTES": ""},
                           {"VIEW_VALUE": "breaking_colour(sea)", "PLUNGE": "", "TRAVEL_TIME": ""},
                           {"VIEW_VALUE": "vec3(rain_at(position.xy, ground.x), 0.0)", "WEATHER": ""},
                           {"VIEW_VALUE": "breaker_shown(passage_at(position.xy))", "PASSAGE": "", "TRAVEL_TIME": ""},

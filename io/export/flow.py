@@ -73,9 +73,8 @@ def _numbers(coded: FlowBytes) -> dict[str, float]:
 def _probes(truth: np.ndarray, coded: FlowBytes) -> list[FlowProbe]:
     """The current itself at a 5 × 5 of its samples, and where it is fastest."""
     rows, cols = truth.shape[:2]
-    places = [
-        (int(r), int(c)) for r in np.linspace(0, rows - 1, 5).round() for c in np.linspace(0, cols - 1, 5).round()
-    ]
+    at = [np.linspace(0, n - 1, 5).round().astype(int).tolist() for n in (rows, cols)]
+    places = [(row, col) for row in at[0] for col in at[1]]
     fastest = np.abs(truth).max(-1).argmax()
     places.append(tuple(int(n) for n in np.unravel_index(fastest, truth.shape[:2])))
     return [
@@ -95,8 +94,8 @@ def recipe(record: FileRecord) -> list[str]:
     """How a shader reads it."""
     numbers = record.decode.numbers
     lines = [
-        f"{record.name}: {record.width} x {record.height}, a texel every {numbers['cell_m']:g} m, north row first, 8 bits, "
-        f"linear (sRGB off), uncompressed, no mip maps, clamped: {record.decode.formula}; range_mps = "
+        f"{record.name}: {record.width} x {record.height}, a texel every {numbers['cell_m']:g} m, north row first, "
+        f"8 bits, linear (sRGB off), uncompressed, no mip maps, clamped: {record.decode.formula}; range_mps = "
         f"{numbers['range_mps']:g}; a sampler gives R / 255"
     ]
     if numbers["fastest_mps"] > numbers["range_mps"]:
