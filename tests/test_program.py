@@ -28,6 +28,7 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "CO
             "lamps.glsl": ({}, {"UNDER": ""}), "props.glsl": ({}, {"MARK": ""}), "prop_shadow.glsl": ({}, {"PROP": ""}),
             "plate.glsl": ({"DOWN": ""}, {"DOWN": "", "RIVERS": ""},
                             {"ALONG": ""}, {"ACROSS": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
+            "lines.glsl": ({}, {"ON_WATER": ""}),
             "fronts.glsl": ({}, {"TRAVEL_TIME": ""}, {"TRAVEL_TIME": "", "PATCHED": ""}),
             "weather_inset.glsl": ({"INSET_MAP": ""},),
             "view.glsl": ({"VIEW_VALUE": "vec3(1.0)"},
