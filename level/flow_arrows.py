@@ -72,14 +72,17 @@ def still_over_sea(level: Level, x: np.ndarray, y: np.ndarray) -> np.ndarray:
     return np.zeros(np.shape(x)) if river is None else river.still.v
 
 
-def with_head(line: np.ndarray, water: Current, head_m: float) -> np.ndarray:
-    """A line `(n, 2)` and the head at its end, as one of x, y, m/s."""
+def with_heads(line: np.ndarray, water: Current, head_m: float, every: int) -> np.ndarray:
+    """A line `(n, 2)` with heads at its end and every so many points before, as one of x, y, m/s."""
     speed = np.hypot(*water.at(line[:, 0], line[:, 1]))
-    way = line[-1:] - line[-2:-1]
-    way = way / np.maximum(np.hypot(*way.T), 1e-9)
-    sides = [line[-1:] - head_m * _turned(way, sign * math.radians(HEAD_DEG)) for sign in (1, -1)]
-    points = np.concatenate([line, sides[0], line[-1:], sides[1]])
-    return np.column_stack([points, np.concatenate([speed, np.full(3, speed[-1])])])
+    found = np.column_stack([line, speed])
+    for tip in range(len(line) - 1, 0, -every):
+        way = line[tip] - line[tip - 1]
+        way = way / max(float(np.hypot(*way)), 1e-9)
+        left, right = (line[tip] - head_m * _turned(way[None], sign * math.radians(HEAD_DEG))[0] for sign in (1, -1))
+        head = np.array([left, line[tip], right, line[tip]])
+        found = np.insert(found, tip + 1, np.column_stack([head, np.full(4, speed[tip])]), axis=0)
+    return found
 
 
 def on_water(water: Current, x: np.ndarray, y: np.ndarray) -> np.ndarray:
