@@ -170,6 +170,7 @@ def test_views_compile_with_at_most_16_samplers(ctx):
             defines |= {"WEATHER_STAGE": ""} if "weather_stage" in view.value else {}
             defines |= {"WEATHER": ""} if "rain_at" in view.value or "weather_map" in view.value else {}
             defines |= {"PASSAGE": ""} if "passage" in view.value else {}
+            defines |= {"FLOW_BYTES": ""} if "flow_exported" in view.value or "flow_lost" in view.value else {}
             name = "cloud_view.glsl" if view.sky else "view.glsl"
             assert len(programs.get(name, VIEW_VALUE=view.value, **defines).samplers) <= MOST_SAMPLERS
     programs.release()
