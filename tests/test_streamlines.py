@@ -8,7 +8,6 @@ from exports import slope_level
 from shorewright.app.cli import main
 from shorewright.app.streamlines import StreamlineView, streamlines
 from shorewright.io import write_level
-from shorewright.io.images import read_image
 from shorewright.level import Grid, Level
 from shorewright.level.flow import current
 from shorewright.level.flow_arrows import on_water
@@ -105,12 +104,14 @@ def test_they_are_drawn_on_water_in_front_of_land_alone(renderer):
     assert not changed[1][:, 20:76].any()
 
 
-@pytest.mark.gl
-def test_the_verb(tmp_path):
-    level = slope_level(40, 48)
-    level.set("flow.shore_mps", 0.8)
-    write_level(level, tmp_path / "bay.shore")
-    args = ["--camera", "24,-8,20,0,-45", "--size", "64x36", "--quality", "low"]
-    for name, more in (("plain", []), ("lines", ["--streamlines"])):
-        assert main(["render", str(tmp_path / "bay.shore"), "-o", str(tmp_path / f"{name}.png"), *args, *more]) == 0
-    assert (read_image(tmp_path / "plain.png") != read_image(tmp_path / "lines.png")).any()
+def test_the_verb_hands_them_to_the_picture(tmp_path, monkeypatch):
+    """Nothing is traced unless asked for."""
+    write_level(slope_level(40, 48), tmp_path / "bay.shore")
+    drawn = []
+    monkeypatch.setattr("shorewright.app.commands.pictures._draw", lambda *given: drawn.append(given[5]))
+    for more in ([], ["--streamlines"], ["--arrows"]):
+        assert main(["render", str(tmp_path / "bay.shore"), "-o", str(tmp_path / "x.png"), *more]) == 0
+    plain, lines, arrows = drawn
+    assert "overlays" not in plain
+    assert lines["overlays"].streamlines.lines
+    assert arrows["overlays"].streamlines is None
