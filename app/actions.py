@@ -130,6 +130,7 @@ def _rows() -> list[Action]:
         Action("outline", "Border of the level", (), "View", lambda s: s.ask("outline")),
         Action("centre", "Centre of the picture", (), "View", lambda s: s.ask("centre")),
         Action("arrows", "Arrows of the current", (), "View", lambda s: s.ask("arrows")),
+        Action("streamlines", "Streamlines of the current", (), "View", lambda s: s.ask("streamlines")),
         Action("force_inset", "Pushed water in a corner", ("I",), "View", lambda s: s.ask("force_inset")),
         Action("weather_inset", "Weather map in a corner", ("Shift+I",), "View", lambda s: s.ask("weather_inset")),
         Action("front_crests", "Crests and their ghosts on the water", ("T",), "View", lambda s: s.ask("front_crests")),

@@ -26,6 +26,7 @@ from .preferences import Preferences
 from .probe import Probe, probe
 from .session import Session
 from .shaping_lender import ShapingLender
+from .streamlines import StreamlineView
 
 log = logging.getLogger(__name__)
 GLIDE_S = 0.28
@@ -33,7 +34,7 @@ SUN_DEG_PER_PX = 0.3
 FORCE_INSET = Inset("force", heading=True)
 WEATHER_INSET = Inset("weather_map", "lower-left", 0.34)  # Z04
 INSETS = {"force_inset": FORCE_INSET, "weather_inset": WEATHER_INSET}  # requests that switch one on or off
-OVERLAYS = ("walkable", "outline", "centre", "arrows")
+OVERLAYS = ("walkable", "outline", "centre", "arrows", "streamlines")
 FRONTS = {f"front_{name}": name for name in LAYERS}  # requests, and the overlay that they switch
 QUALITIES = ("low", "medium", "high")
 TOLD = {"undo": "Undone: {}", "redo": "Redone: {}"}
@@ -67,7 +68,8 @@ class Editor:
         self.walkable = False  # overlays (D31, D40)
         self.outline = False
         self.centre = False
-        self.arrows = False  # T02
+        self.arrows = self.streamlines = False  # T02
+        self.currents = StreamlineView()
         self.insets: tuple[Inset, ...] = ()  # T12
         self.fronts = FrontView()  # T06
         self.typing = False  # a text field has the keyboard
@@ -216,7 +218,7 @@ class Editor:
         fronts = self.fronts.lines(self.session)
         return Overlays(
             walkable=self.walkable, outline=self.outline, centre=self.centre, arrows=self.arrows, insets=self.insets,
-            fronts=fronts,
+            fronts=fronts, streamlines=self.currents.lines(self.session.level) if self.streamlines else None,
         )  # fmt: skip
 
     @property

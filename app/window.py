@@ -198,6 +198,7 @@ class Window:
             editor.live
             or editor.arrivals.busy
             or editor.shapings.busy
+            or editor.currents.busy
             or (self.picture is not None and self.picture.waiting)
         )
         params.fps_idling.enable_idling = not busy and self.drive is None

@@ -1,4 +1,5 @@
-"""Faults of a painted flow (T02): still water that drifts, flow into land, speeds an 8-bit map clips, divergence.
+"""Faults of a painted flow (T02): still water that drifts, flow into land, speeds an 8-bit map clips, divergence; and
+of the whole current as it is exported: what is clipped of it, what drifts.
 
 Each with its worst place in metres and its number, largest first, so that somebody can go there and paint it right.
 """
@@ -10,14 +11,17 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .flow import current
+from .flow_bytes import NEUTRAL, coded, flow_bytes
 from .level import Level
 from .projection import divergence
 
 MOST = 12  # places of a kind
-RANGE_MPS = 2.0  # what an 8-bit map of flow holds either way, unless told otherwise
+RANGE_MPS = 2.0  # what an 8-bit map holds either way that paint may come from, unless told otherwise
 STEPS = 255  # of such a map; no step of it is zero, so 0.5 decodes to ± range / 255
 DRIFT_SHARE = 0.2  # of the painted cells that hold one value of about a step: nobody painted that
 DRIFT_STEPS = 2.2
+ONE_VALUE = 0.1  # of a step, that a current which is one value throughout varies by
 ASHORE_MPS = 0.05  # into the land, slower than which nothing shows
 AHEAD = 1.5  # cells ahead at which land is looked for
 APART = 0.15  # of the fastest painted speed, that a cell may give or swallow
@@ -37,17 +41,45 @@ class FlowFault:
     sentence: str
 
 
-def flow_faults(level: Level, range_mps: float = RANGE_MPS) -> list[FlowFault]:
-    """All faults of the level's painted flow, by kind; none where nothing is painted."""
+def flow_faults(level: Level, range_mps: float | None = None) -> list[FlowFault]:
+    """All faults of the level's painted flow and of its current in bytes, by kind.
+
+    `range_mps`: what an 8-bit map holds; without it, what the level's export does.
+    """
     painted = level.layers["flow"]
     if painted.neutral:
-        return []
+        return [*_exported(level, range_mps)]
     flow = np.ascontiguousarray(painted.array)
     wet = _wet(level)
-    drift = _drift(level, flow, range_mps)
+    drift = _drift(level, flow, range_mps or RANGE_MPS)
     if drift:  # of it the other kinds would find faults everywhere
         return drift
-    return [*_ashore(level, flow, wet), *_clipped(level, flow, range_mps), *_apart(level, flow, wet)]
+    return [*_ashore(level, flow, wet), *_exported(level, range_mps), *_apart(level, flow, wet)]
+
+
+def _exported(level: Level, range_mps: float | None) -> Iterator[FlowFault]:
+    """The whole current as exporters write it: where it is clipped, and one value about a step beside still."""
+    made = current(level)
+    both = coded(made, range_mps) if range_mps else flow_bytes(level)
+    flow, stride = made.packed[..., :2], round(made.cell_m / level.grid.cell_m)
+    most = np.abs(flow).max(-1)
+    for row, col, cells in _patches(most, most > both.range_mps):
+        told = f"{most[row, col]:.2f} m/s is over the {both.range_mps:g} m/s that the 8-bit map holds"
+        yield _fault(level, "clipped", row * stride, col * stride, most[row, col], "m/s", cells, told)
+    moving = both.bytes[..., :2].reshape(-1, 2)
+    moving = moving[(moving != NEUTRAL).any(-1)].astype(int)
+    if not len(moving):
+        return
+    values, counts = np.unique(moving, axis=0, return_counts=True)
+    common, count = values[counts.argmax()], int(counts.max())
+    if np.abs(common - NEUTRAL).max() > DRIFT_STEPS or count < DRIFT_SHARE * len(moving):
+        return
+    there = (both.bytes[..., :2] == common).all(-1)
+    if np.ptp(np.percentile(flow[there], (10, 90), axis=0), axis=0).max() > ONE_VALUE * both.step_mps:
+        return  # a slow current of its own, coarsely coded
+    row, col = np.argwhere(there)[0]
+    told = f"{count} samples of the 8-bit map hold {common[0]}, {common[1]}, beside its neutral {NEUTRAL}: water drifts"
+    yield _fault(level, "drift", row * stride, col * stride, float(np.hypot(*flow[row, col])), "m/s", count, told)
 
 
 def _wet(level: Level) -> np.ndarray:
@@ -87,13 +119,6 @@ def _ashore(level: Level, flow: np.ndarray, wet: np.ndarray) -> Iterator[FlowFau
     for row, col, cells in _patches(hits, hits > 0):
         told = f"water runs into land at {hits[row, col]:.2f} m/s"
         yield _fault(level, "ashore", row, col, hits[row, col], "m/s", cells, told)
-
-
-def _clipped(level: Level, flow: np.ndarray, range_mps: float) -> Iterator[FlowFault]:
-    most = np.abs(flow).max(-1)
-    for row, col, cells in _patches(most, most > range_mps):
-        told = f"{most[row, col]:.2f} m/s is over the {range_mps:g} m/s that an 8-bit map holds"
-        yield _fault(level, "clipped", row, col, most[row, col], "m/s", cells, told)
 
 
 def _apart(level: Level, flow: np.ndarray, wet: np.ndarray) -> Iterator[FlowFault]:

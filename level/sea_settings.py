@@ -27,6 +27,8 @@ class Flow(Section):
     interval_s: float = param(5.0, 0.3, 60, "s", "Time after which moving foam starts again, unseen.", soft=(1, 10))
     noise: float = param(0.7, 0, 2, "", "How differently in time places start again, in cycles.", soft=(0, 1))
     noise_m: float = param(14.0, 1, 500, "m", "Size of that difference.", soft=(5, 40))
+    export_mps: float = param(0.0, 0, 1000, "m/s", "What an exported 8-bit map holds either way; 0: the smallest power "
+                              "of two that holds all.", soft=(0, 8))  # fmt: skip
 
 
 class Foam(Section):

@@ -133,6 +133,13 @@ class Inset:
         return cls(view, corner, size_part, turn_deg, heading, extent_m)
 
 
+@dataclass(frozen=True, eq=False)
+class Streamlines:
+    """Lines on the water (T02), each `(n, 4)`: x, y, metres over the still sea, m/s."""
+
+    lines: tuple
+
+
 MOST_GHOSTS = 8  # of crests, to either side
 
 
@@ -192,5 +199,6 @@ class Overlays:
     centre: bool = False  # D40: a cross at the centre of the screen
     lines: tuple[tuple[tuple[float, float, float], ...], ...] = ()  # world polylines, such as the ramp's preview
     arrows: bool = False  # T02: the current, drawn on the water
+    streamlines: Streamlines | None = None  # T02
     insets: tuple[Inset, ...] = ()  # T12
     fronts: FrontLines | None = None  # T06

@@ -10,6 +10,7 @@ from ..level import BadInput, Level, Rect
 from ..level.arrival_map import ArrivalMap
 from ..level.beach_map import beach_map
 from ..level.flow import current
+from ..level.flow_bytes import flow_bytes
 from ..level.layers import LAYERS, WEATHER_GRID
 from ..level.level import merge
 from ..level.patches import patch_kinds
@@ -231,6 +232,15 @@ class Uploader:
             self.textures["u_current"].filter = self.ctx.LINEAR, self.ctx.LINEAR
             self.seen["current"] = made
         return self.textures["u_current"]
+
+    def flow_bytes(self, level: Level):
+        """The current in the exporters' own bytes (T02), RGB8 with a linear filter, row 0 south."""
+        made = flow_bytes(level)
+        if self.seen.get("flow_bytes") is not made:
+            self._whole("u_flow_bytes", made.bytes, "f1")
+            self.textures["u_flow_bytes"].filter = self.ctx.LINEAR, self.ctx.LINEAR
+            self.seen["flow_bytes"] = made
+        return self.textures["u_flow_bytes"]
 
     def tables(self, level: Level) -> None:
         """Bring water table and lattice up to date."""

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from ..level import LAYERS, BadInput
 from .cloud_views import CLOUD_VIEWS
+from .flow_views import FLOW_VIEWS
 from .mouth_views import MOUTH_VIEWS
 from .river_views import RIVER_VIEWS
 from .view_row import RAMPS as RAMPS
@@ -146,6 +147,7 @@ VIEWS: dict[str, View] = {
         View("flow_faults", "Flow: faults", "Red where the current runs into land, blue where water comes from nowhere "
              "or vanishes, a quarter of a cell's speed to full; green its speed, 4 m/s to full.",
              "on_sea * flow_faults(s.before)", "direct", ids="T02"),
+        *FLOW_VIEWS,
         View("foam_shore", "Foam: shore", "Constant foam by the distance to the shore, before it is torn.",
              "vec3(on_sea * foam_of_shore(current_at(s.before).a, 1.0))", ids="H18"),
         View("foam_height", "Foam: height", "Foam on the highest water.",

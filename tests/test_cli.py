@@ -251,7 +251,7 @@ def test_the_demo(tmp_path, ctx):
     assert done.returncode == 0, done.stdout + done.stderr
     paths = [Path(line) for line in done.stdout.splitlines()]
     assert all(path.exists() for path in paths)
-    assert sum(path.suffix == ".png" for path in paths) == 6
+    assert sum(path.suffix == ".png" for path in paths) == 6 + 2  # pictures, and the current of both exports
     assert {path.parent.name for path in paths} == {"out", "cove_raw", "cove_unreal"}
     before, after = ((tmp_path / "out" / f"{word}_play.png").read_bytes() for word in ("before", "after"))
     assert before != after

@@ -174,6 +174,11 @@ def test_framing_glides_and_overlays_answer_requests(editor):
     editor.do("walkable")
     editor.tick()
     assert editor.overlays.walkable
+    assert editor.overlays.streamlines is None
+    assert not editor.currents.busy
+    editor.do("streamlines")
+    editor.tick()
+    assert editor.streamlines
 
 
 def test_undo_is_told_with_its_label(editor):

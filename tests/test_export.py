@@ -23,8 +23,10 @@ def test_manifest_answers_every_question(tmp_path):
     export(level, "unreal", tmp_path / "out", name="cove.shore")
     path = tmp_path / "out" / "cove.shorewright.json"
     manifest = json.loads(path.read_text("utf-8"))
-    (record,) = manifest["files"]
-    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == ["cove.shorewright.json", "cove_height.r16"]
+    record, _ = manifest["files"]
+    assert sorted(p.name for p in (tmp_path / "out").iterdir()) == [
+        "cove.shorewright.json", "cove_flow.png", "cove_height.r16",
+    ]  # fmt: skip
     assert manifest["schema_version"] == 1
     assert manifest["tool"]["version"]
     assert manifest["source"]["georeference"] == {"crs": "EPSG:32604"}
@@ -113,7 +115,7 @@ def test_file_names_are_safe_everywhere(tmp_path, name, stem):
     """`4033x4033` is a tile index to Unreal; separators and drive letters lead out of the folder."""
     assert file_stem(name) == stem
     paths = export(rough_level(4), "unreal", tmp_path / "out", name=name)
-    assert [path.name for path in paths] == [f"{stem}_height.r16", f"{stem}.shorewright.json"]
+    assert [path.name for path in paths] == [f"{stem}_height.r16", f"{stem}_flow.png", f"{stem}.shorewright.json"]
     assert all(path.parent == tmp_path / "out" and path.is_file() for path in paths)
     assert check(tmp_path / "out") == []
 

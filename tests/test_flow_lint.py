@@ -9,7 +9,7 @@ from shorewright.io import write_level
 from shorewright.level import Grid, Level
 from shorewright.level.flow_arrows import flow_arrows
 from shorewright.level.flow_lint import flow_faults
-from shorewright.level.objects import Camera
+from shorewright.level.objects import Camera, FlowPoint
 from shorewright.renderer import Overlays, render
 
 
@@ -68,10 +68,30 @@ def test_water_into_land():
 
 def test_clipped_speeds():
     level = painted(turning(rate=1.5))
+    level.set("flow.shore_mps", 0.0)
     fastest = np.abs(level.layers["flow"].array).max()
     fault = next(fault for fault in flow_faults(level, range_mps=2.0) if fault.kind == "clipped")
     assert fault.value == pytest.approx(fastest, abs=1e-5)
     assert "clipped" not in kinds(level, range_mps=float(fastest) + 0.01)
+    assert "clipped" not in kinds(level)  # the export takes the range that holds it
+    level.set("flow.export_mps", 1.0)
+    assert "clipped" in kinds(level)
+
+
+def test_whole_current_is_looked_at():
+    """T02: nothing is painted, yet flow points clip; paint made so weak that it is a step of the bytes drifts."""
+    level = basin()
+    level.put_object("here", FlowPoint(id="here", x=60, y=60, radius_m=40, speed_mps=3))
+    assert kinds(level) == []
+    assert kinds(level, range_mps=1.0) == ["clipped"]
+    level = painted(np.broadcast_to(np.array([0.5, 0.5]), (64, 64, 2)))
+    level.set("flow.shore_mps", 0.0)
+    level.set("flow.painted", 0.02)
+    assert "drift" not in kinds(level)
+    level.set("flow.export_mps", 1.0)
+    (fault,) = (fault for fault in flow_faults(level) if fault.kind == "drift")
+    assert fault.value == pytest.approx(0.02 * 0.5 * np.sqrt(2), rel=1e-4)
+    assert "129, 129" in fault.sentence
 
 
 def test_sources_and_sinks():
@@ -91,7 +111,7 @@ def test_the_verb(capsys, tmp_path):
     bad, good = painted(np.stack([x - 20.0, y - 45.0], -1) * 0.1), basin()
     for name, level in (("bad", bad), ("good", good)):
         write_level(level, tmp_path / f"{name}.shore")
-    assert main(["lint", str(tmp_path / "bad.shore"), "--json"]) == 1
+    assert main(["lint", str(tmp_path / "bad.shore"), "--range", "2", "--json"]) == 1
     rows = json.loads(capsys.readouterr().out)
     assert {"divergence", "clipped"} <= {row["kind"] for row in rows}
     assert main(["lint", str(tmp_path / "good.shore")]) == 0
@@ -118,6 +138,18 @@ def test_arrows_go_the_way_of_the_water():
     level.set("flow.painted", 0.5)
     assert max(np.hypot(*(np.array(a[-2]) - a[0])[:2]) for a in flow_arrows(level, 60, 60, 10)) < lone
     assert flow_arrows(basin_still(), 60, 60, 10) == []
+
+
+def test_arrows_stay_off_dry_land_unless_paint_is_shown():
+    """T02: paint lies on the block of land too; its arrows belong to the painted layer alone. Speeds come along."""
+    level = painted(np.broadcast_to(np.array([0.6, 0.0]), (64, 64, 2)))
+    level.set("flow.shore_mps", 0.0)
+    wet, dry = (np.array([line[0] for line in flow_arrows(level, 90, 50, 10, dry)]) for dry in (False, True))
+    on_land = [((points[:, 0] > 83) & (points[:, 0] < 95) & (points[:, 1] > 43) & (points[:, 1] < 55)).sum()
+               for points in (wet, dry)]  # fmt: skip
+    assert on_land[0] == 0
+    assert on_land[1] >= 4
+    assert wet[:, 3] == pytest.approx(0.6)
 
 
 def basin_still():

@@ -28,10 +28,12 @@ VARIANTS = {"sea.glsl": ({"MESH": ""}, {"MESH": "", **ALL_OFF}, {"MESH": "", "CO
             "lamps.glsl": ({}, {"UNDER": ""}), "props.glsl": ({}, {"MARK": ""}), "prop_shadow.glsl": ({}, {"PROP": ""}),
             "plate.glsl": ({"DOWN": ""}, {"DOWN": "", "RIVERS": ""},
                             {"ALONG": ""}, {"ACROSS": ""}), "overlay.glsl": ({}, {"WALKABLE": ""}),
+            "lines.glsl": ({}, {"ON_WATER": ""}),
             "fronts.glsl": ({}, {"TRAVEL_TIME": ""}, {"TRAVEL_TIME": "", "PATCHED": ""}),
             "weather_inset.glsl": ({"INSET_MAP": ""},),
             "view.glsl": ({"VIEW_VALUE": "vec3(1.0)"},
                           {"VIEW_VALUE": "masked_shown(sea, s.before, 0.1)", "RIVERS": ""},
+                          {"VIEW_VALUE": "flow_exported(s.before, 0.1)", "FLOW_BYTES": ""},
                           {"VIEW_VALUE": "breaking_colour(sea)", "PLUNGE": "", "TRAVEL_TIME": ""},
                           {"VIEW_VALUE": "vec3(rain_at(position.xy, ground.x), 0.0)", "WEATHER": ""},
                           {"VIEW_VALUE": "breaker_shown(passage_at(position.xy))", "PASSAGE": "", "TRAVEL_TIME": ""},
@@ -168,6 +170,7 @@ def test_views_compile_with_at_most_16_samplers(ctx):
             defines |= {"WEATHER_STAGE": ""} if "weather_stage" in view.value else {}
             defines |= {"WEATHER": ""} if "rain_at" in view.value or "weather_map" in view.value else {}
             defines |= {"PASSAGE": ""} if "passage" in view.value else {}
+            defines |= {"FLOW_BYTES": ""} if "flow_exported" in view.value or "flow_lost" in view.value else {}
             name = "cloud_view.glsl" if view.sky else "view.glsl"
             assert len(programs.get(name, VIEW_VALUE=view.value, **defines).samplers) <= MOST_SAMPLERS
     programs.release()

@@ -6,7 +6,7 @@ from shorewright.level import LAYERS, BadInput, Grid, Level, Rect
 from shorewright.level.meshes import block
 from shorewright.level.objects import Camera, Disturbance, Hit, Mover, PointLight, Prop, River
 from shorewright.renderer import SHOW_FLAGS, VIEWS, Overlays, Renderer, Ring, Show, render
-from shorewright.renderer.show import FrontLines
+from shorewright.renderer.show import FrontLines, Streamlines
 
 pytestmark = pytest.mark.gl
 SIZE = (96, 54)
@@ -133,6 +133,8 @@ def test_overlays_draw_over_the_picture_and_are_gone_without(scene):
         Overlays(centre=True),
         *(Overlays(fronts=FrontLines.parse(w)) for w in ("crests", "ghosts:2:1", "isochrones:2", "speed", "breakers")),
         Overlays(lines=(((60, 60, 5), (100, 70, 5)), ((80, -200, 5), (80, 80, 5)))),
+        Overlays(arrows=True),
+        Overlays(streamlines=Streamlines((np.array([(60, 40, 0, 0.5), (100, 45, 0, 1.5)]),))),
     ]
     pictures = [picture(scene, overlays=row) for row in rows]
     for shown in pictures:

@@ -1,4 +1,4 @@
-"""`lint`: faults of what is painted, with their places (T02)."""
+"""`lint`: faults of the current, painted and exported, with their places (T02)."""
 
 from __future__ import annotations
 
@@ -14,18 +14,20 @@ def lint(
     level: LevelPath,
     *,
     range_mps: Annotated[
-        float, Parameter(name="--range", help="Metres a second that an 8-bit map of the flow will hold either way.")
-    ] = 2.0,
+        float | None,
+        Parameter(name="--range", help="Metres a second that an 8-bit map holds either way; else as it is exported."),
+    ] = None,
     as_json: Annotated[bool, Parameter(name="--json", negative="", help="A list of objects.")] = False,
 ) -> int:
-    """List faults of a level's painted flow: drift, water into land, speeds that would be clipped, divergence.
+    """List faults of a level's current: drift, paint that runs into land or diverges, speeds the export clips.
 
     Each with its place in metres, its number and how many cells share it. Exit code 1 when there are any.
     """
     from ...io import read_level
     from ...level.flow_lint import flow_faults
 
-    finite(range_mps, "--range", 1e-3, 1000)
+    if range_mps is not None:
+        finite(range_mps, "--range", 1e-3, 1000)
     notes: list[str] = []
     faults = flow_faults(read_level(level, notes), range_mps)
     put_notes(notes)
@@ -34,5 +36,5 @@ def lint(
     elif faults:
         put_table([(f.kind, f"{f.x:.1f}, {f.y:.1f} m", f"{f.cells} cells", f.sentence) for f in faults])
     else:
-        put("the painted flow has no faults")
+        put("the current has no faults")
     return 1 if faults else 0

@@ -43,6 +43,7 @@ def render(
         str | None, Parameter(help="Laid over the water: crests, ghosts:COUNT:S, isochrones:S, speed:MPS, breakers.")
     ] = None,
     arrows: Annotated[bool, Parameter(negative="", help="The current as arrows on the water.")] = False,
+    streamlines: Annotated[bool, Parameter(negative="", help="Streamlines of it, evenly spread.")] = False,
     memory: Annotated[bool, Parameter(negative="", help="Also list what it took of the GPU, by target.")] = False,
 ) -> int:
     """Draw a level into a PNG or EXR.
@@ -57,8 +58,8 @@ def render(
     writable_parent(output)
     found = _level(level, environment, weather, assignments)
     options |= look(view, hide)
-    if inset or fronts is not None or arrows:
-        options["overlays"] = _overlays(inset or [], fronts, arrows)
+    if inset or fronts is not None or arrows or streamlines:
+        options["overlays"] = _overlays(inset or [], fronts, arrows, found if streamlines else None)
     other = compared(found, against, hide) if against else None
     _draw(found, _camera(found, camera), output, times, frames is not None, options, other)
     if memory:
@@ -113,11 +114,16 @@ def _camera(level, text: str):
     return level.camera(text)
 
 
-def _overlays(insets: list[str], fronts: str | None, arrows: bool):
+def _overlays(insets: list[str], fronts: str | None, arrows: bool, traced=None):
+    """`traced`: the level whose streamlines are drawn."""
     from ...renderer.show import FrontLines, Inset, Overlays
+    from ..streamlines import streamlines
 
     lines = FrontLines.parse(fronts) if fronts is not None else None
-    return Overlays(insets=tuple(Inset.parse(text) for text in insets), fronts=lines, arrows=arrows)
+    return Overlays(
+        insets=tuple(Inset.parse(text) for text in insets), fronts=lines, arrows=arrows,
+        streamlines=None if traced is None else streamlines(traced),
+    )  # fmt: skip
 
 
 def look(view: str, hide: list[str] | None) -> dict:

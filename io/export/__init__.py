@@ -26,14 +26,16 @@ EXPORTERS: dict[str, Exporter] = {
         Exporter(
             "unreal",
             "Unreal",
-            "A square 16-bit height map for Landscape, the sea at Z 0, with the values to type into the import dialog.",
+            "A square 16-bit height map for Landscape, the sea at Z 0, with the values to type into the import dialog; "
+            "the current in 8 bits.",
             unreal.MAPS,
             unreal.export,
         ),
         Exporter(
             "raw",
             "Raw files",
-            "The level's own samples: height in 16 bits and float, ground as GLB, layers as .vti, painted sky as .tif.",
+            "The level's own samples: height in 16 bits and float, ground as GLB, layers as .vti, painted sky as .tif, "
+            "current as .png.",
             raw.MAPS,
             raw.export,
         ),
@@ -64,5 +66,7 @@ def export(
     out = Path(out_dir)
     with staged(out, stem + SUFFIX, target) as folder:
         manifest = exporter.function(Job(level, stem, folder, chosen))
+        if not manifest.files:
+            raise BadInput(f"this level holds nothing of that to export: {', '.join(sorted(chosen))}")
         write(folder / (stem + SUFFIX), manifest)
     return [out / file.name for file in manifest.files] + [out / (stem + SUFFIX)]

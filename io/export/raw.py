@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from . import maps, meshes
+from . import flow, maps, meshes
 from .job import Job
 from .manifest import describe, describe_file
 from .records import Channel, Decode, FileRecord, Manifest, Mesh, Probe
@@ -20,6 +20,7 @@ MAPS = (
     ("mesh", "The ground as a GLB mesh, thinned to its triangle budget where the level is larger."),
     ("layers", "The ground and every other written layer as a VTK image (.vti), for analysis."),
     ("weather", "The painted sky with its weights, six channels of float in a TIFF; only where something is painted."),
+    flow.MAP,
 )
 DOCS = dict(MAPS)
 R16_FORMULA = "height_m = v / 65535 * (max_m - min_m) + min_m"
@@ -40,10 +41,14 @@ def export(job: Job) -> Manifest:
         files.append(_vti(job))
     if "weather" in job.maps and not level.layers["weather"].neutral:
         files.append(_weather(job))
+    current = flow.write_flow(job, flow.FORMULA) if "flow" in job.maps else None
+    if current:
+        files.append(current[0])
     return Manifest(
         target="raw",
         files=files,
         probes=_probes(job),
+        flow_probes=current[1] if current else [],
         import_recipe=_recipe(job, files),
         **describe(
             level,
@@ -220,9 +225,9 @@ def _recipe(job: Job, files: list[FileRecord]) -> list[str]:
         ".vti": f"{grid.cols} x {grid.rows} points, south row first, for ParaView or pyvista.read",
         ".tif": _sky_line(job),
     }
-    return [f"{file.name}: {lines[Path(file.name).suffix]}" for file in files] + [
-        f"One sample every {grid.cell_m:g} m; the sea lies at height {job.level.sea_level_m:g} m."
-    ]
+    told = [f"{file.name}: {lines[Path(file.name).suffix]}" for file in files if file.map != "flow"]
+    told += [line for file in files if file.map == "flow" for line in flow.recipe(file)]
+    return [*told, f"One sample every {grid.cell_m:g} m; the sea lies at height {job.level.sea_level_m:g} m."]
 
 
 def _sky_line(job: Job) -> str:

@@ -114,7 +114,10 @@ class Mesh(Record):
 
 
 class FileRecord(Record):
-    """One file: `max_error_cm` is measured on the bytes written, decoded by `decode`, against the level."""
+    """One file: `max_error_cm` is measured on the bytes written, decoded by `decode`, against the level.
+
+    Of a current, error and step are cm/s.
+    """
 
     name: str
     map: str
@@ -124,7 +127,7 @@ class FileRecord(Record):
     width: int = Field(ge=0, le=MAX_SIDE)
     height: int = Field(ge=0, le=MAX_SIDE)
     bit_depth: int
-    sample_type: Literal["uint16", "float32"]
+    sample_type: Literal["uint8", "uint16", "float32"]
     endianness: Literal["little"] = "little"
     row_0: Literal["north", "south"] | None
     colour_space: Literal["linear"] = "linear"
@@ -145,6 +148,17 @@ class Probe(Record):
     height_m: float
 
 
+class FlowProbe(Record):
+    """The level's own current at one sample of its exported map."""
+
+    col: int
+    row: int
+    x_m: float
+    y_m: float
+    east_mps: float
+    north_mps: float
+
+
 class Manifest(Record):
     schema_name: Literal["shorewright.export"] = Field(SCHEMA, alias="schema")
     schema_version: int = SCHEMA_VERSION
@@ -157,6 +171,7 @@ class Manifest(Record):
     waves: Waves
     files: list[FileRecord]
     probes: list[Probe] = []
+    flow_probes: list[FlowProbe] = []
     import_recipe: list[str]
     notes: list[str] = []
 

@@ -12,12 +12,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ...level import BadInput
-from . import maps
+from . import flow, maps
 from .job import Job
 from .manifest import describe, describe_file
 from .records import Channel, Decode, FileRecord, LevelPart, Manifest, Probe, UnrealScale
 
-MAPS = (("height", "The ground, 16 bits, at the size Unreal recommends."),)
+MAPS = (("height", "The ground, 16 bits, at the size Unreal recommends."), flow.MAP)
 MID = 32768  # the value of z = 0, which is the sea
 HIGHEST = 256 - 1 / 128  # metres above, and 256 below, at ScaleZ 100
 FORMULA = "z_cm = (v - 32768) / 128 * ScaleZ + ActorZ"
@@ -100,22 +100,26 @@ def square_over(rows: int, cols: int, cell_m: float) -> Square:
 
 
 def export(job: Job) -> Manifest:
-    """Write the height map and say everything about it; BadInput for a level larger than Unreal takes."""
+    """Write the chosen maps and say everything about them; BadInput for a level larger than Unreal takes."""
     level = job.level
     height, sea = level.height, level.sea_level_m
     square = square_over(*level.grid.shape, level.grid.cell_m)
     scale = _scale(square, float(height.min()) - sea, float(height.max()) - sea)
-    step_m = scale.scale_z / 12800
-    path = job.folder / f"{job.name}_height.r16"
-    ground = ((rows, z - sea) for rows, z in maps.bilinear(height, square.rows_at, square.cols_at))
-    maps.write_u16(path, ground, -MID * step_m, step_m)
-    record = _record(job, path, square, scale)
+    files, recipe = [], []
+    if "height" in job.maps:
+        files.append(_height(job, square, scale))
+        recipe += _recipe(files[0].name, scale)
+    current = flow.write_flow(job, flow.UNREAL_FORMULA) if "flow" in job.maps else None
+    if current:
+        files.append(current[0])
+        recipe += flow.recipe(current[0])
     return Manifest(
         target="unreal",
         engine=scale,
-        files=[record],
+        files=files,
         probes=_probes(job, square),
-        import_recipe=_recipe(path.name, scale),
+        flow_probes=current[1] if current else [],
+        import_recipe=recipe,
         notes=_notes(scale),
         **describe(
             level,
@@ -144,6 +148,15 @@ def _scale(square: Square, low_m: float, high_m: float) -> UnrealScale:
         dialog_y_cm=scale_xy * (size.samples - 1) / 2,
         level_part=square.part,
     )
+
+
+def _height(job: Job, square: Square, scale: UnrealScale) -> FileRecord:
+    """Write the height map."""
+    step_m, sea = scale.scale_z / 12800, job.level.sea_level_m
+    path = job.folder / f"{job.name}_height.r16"
+    ground = ((rows, z - sea) for rows, z in maps.bilinear(job.level.height, square.rows_at, square.cols_at))
+    maps.write_u16(path, ground, -MID * step_m, step_m)
+    return _record(job, path, square, scale)
 
 
 def _record(job: Job, path, square: Square, scale: UnrealScale) -> FileRecord:

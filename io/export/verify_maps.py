@@ -9,10 +9,11 @@ import numpy as np
 
 from ...level import LAYERS, BadInput
 from ...level.layers import WEATHER_GRID
-from . import maps, meshes
+from . import flow, maps, meshes
 from .raw import R16_FORMULA, decode_r16
 from .records import FileRecord, Manifest
 from .unreal import FORMULA, MID, decode_cm, smallest_scale_z, square_over
+from .verify_flow import check_flow
 
 SLACK_CM = 1e-5  # float64 arithmetic on metres, not quantisation
 
@@ -23,9 +24,16 @@ def _near(value: float, wanted: float) -> bool:
 
 def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     """Findings about a landscape; `whole` are the listed files whose bytes are the ones written."""
-    if manifest.engine is None or len(manifest.files) != 1:
-        return ["an Unreal export has one height map and says how to scale it; this manifest does not"]
-    return [*_scale(manifest), *_landscape(manifest, whole)]
+    by_suffix = {Path(record.name).suffix: record for record in manifest.files}
+    odd = not by_suffix or set(by_suffix) - {".r16", ".png"} or len(by_suffix) != len(manifest.files)
+    if manifest.engine is None or odd:
+        return ["an Unreal export has one height map or current and says how to scale it; this manifest does not"]
+    findings = [*_scale(manifest)]
+    if ".r16" in by_suffix:
+        findings += _landscape(manifest, by_suffix[".r16"], whole)
+    if ".png" in by_suffix:
+        findings += check_flow(manifest, by_suffix[".png"], whole, flow.UNREAL_FORMULA)
+    return findings
 
 
 def _scale(manifest: Manifest) -> Iterator[str]:
@@ -52,9 +60,9 @@ def _scale(manifest: Manifest) -> Iterator[str]:
         yield "the part of the landscape that is the level is stated wrongly"
 
 
-def _landscape(manifest: Manifest, whole: dict[str, Path]) -> Iterator[str]:
+def _landscape(manifest: Manifest, record: FileRecord, whole: dict[str, Path]) -> Iterator[str]:
     """The words of the height map, decoded with the engine's formula and the manifest's scale."""
-    record, scale, world = manifest.files[0], manifest.engine, manifest.world
+    scale, world = manifest.engine, manifest.world
     numbers = {"ScaleZ": scale.scale_z, "ActorZ": scale.actor_z_cm}
     if record.decode.formula != FORMULA or record.decode.numbers != numbers:
         yield f"{record.name} is to be decoded by other numbers than the landscape's scale"
@@ -124,7 +132,7 @@ def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     findings: list[str] = []
     ground: np.ndarray | None = None  # north first, metres, exact
     by_suffix = {Path(record.name).suffix: record for record in manifest.files}
-    unknown = sorted(set(by_suffix) - {".r16", ".exr", ".vti", ".glb", ".tif"})
+    unknown = sorted(set(by_suffix) - {".r16", ".exr", ".vti", ".glb", ".tif", ".png"})
     if unknown or len(by_suffix) != len(manifest.files):
         findings.append("the manifest lists files that are no part of a raw export")
     for suffix, read in ((".exr", _read_exr), (".vti", _read_vti)):
@@ -138,6 +146,8 @@ def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
         findings += _mesh(manifest, by_suffix[".glb"], whole, ground)
     if ".tif" in by_suffix:
         findings += _sky(by_suffix[".tif"], whole)
+    if ".png" in by_suffix:
+        findings += check_flow(manifest, by_suffix[".png"], whole, flow.FORMULA)
     return findings
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from ...level.flow_bytes import flow_bytes
 from ..frame import Frame
 from ..high_layers import bind_patterns
 from ..uniforms import shore_field_uniforms
@@ -37,6 +38,9 @@ def bind_view(frame: Frame, view: View) -> dict[str, str]:
         defines["SHORE_FIELD"] = ""
         frame.textures["u_shore_field"] = uploader.shore_field(frame.level)
         frame.uniforms |= shore_field_uniforms(frame.level)
+    if "flow_exported" in view.value or "flow_lost" in view.value:
+        defines["FLOW_BYTES"] = ""
+        _bind_flow_bytes(frame)
     if "passage_" in view.value:
         defines["PASSAGE"] = ""
         frame.uniforms |= passage_uniforms(frame)
@@ -55,3 +59,9 @@ def bind_view(frame: Frame, view: View) -> dict[str, str]:
         weather.bind_map(frame)
     bind_water(frame)
     return defines
+
+
+def _bind_flow_bytes(frame: Frame) -> None:
+    coded = flow_bytes(frame.level)
+    frame.textures["u_flow_bytes"] = frame.renderer.uploader.flow_bytes(frame.level)
+    frame.uniforms |= {"u_flow_bytes_cell_m": coded.cell_m, "u_flow_range_mps": coded.range_mps}

@@ -33,6 +33,9 @@ uniform float u_layer_cell_m;
 #ifdef WALKABLE
 uniform sampler2D u_walkable;
 #endif
+#ifdef FLOW_BYTES
+#include "lib/flow_bytes.glsl"
+#endif
 #ifdef HIGH_CLOUDS
 #include "lib/high_clouds.glsl"
 #endif
