@@ -3,7 +3,7 @@
     drops = rain_drops(level, time_s, x, y)     # None where no rain falls
     slope = ring_slope(drops, ripples, xs, ys)  # (…, 2), as sharp as they are
 
-The water is laid out in two turned layers of cells. Into each a drop falls once a cycle, at a place of its own, and a
+The water is laid out in four turned layers of cells. Into each a drop falls once a cycle, at a place of its own, and a
 few crests run outwards from it and die: at the speed of the slowest waves on water, 0.23 m/s where gravity and surface
 tension are equally strong (Lamb 1932, art. 267). The more it rains the more cells get one.
 """
@@ -22,9 +22,9 @@ from .rain import rain_at
 
 SPEED_MPS = 0.23
 HALF, LEAST, MOST = 0.10, 0.12, 0.34  # in sides of a cell: half the waves' width, how far their middle runs
-PHASE, SLOPE, ROW_SHIFT = 7.5, 0.85, 0.618034
-CELLS = (0.6, 1.0)  # of the large layer's
-TURNS = ((0.6, 0.8), (-0.28, 0.96))
+PHASE, SLOPE, ROW_SHIFT = 7.5, 1.0, 0.618034
+CELLS = (0.5, 0.62, 0.8, 1.0)  # of the large layer's
+TURNS = ((0.6, 0.8), (-0.28, 0.96), (0.96, -0.28), (0.8, 0.6))  # sine, cosine
 MANY_MM_H = 8.0  # rain at which 63 % of the cells have a drop
 REPEATS = 4096  # cycles after which the same drops come again
 
@@ -100,7 +100,7 @@ def _layer(share: float, row: tuple, index: int, a, b) -> np.ndarray:
     a = a + np.mod(ROW_SHIFT * np.floor(b), 1.0)
     cols, rows = np.floor(a), np.floor(b)
     cycles = part + _hash(cols, rows, index)[..., 0]
-    chance = _hash(cols, rows, 2 * np.mod(np.floor(cycles) + whole, again) + index + 2)
+    chance = _hash(cols, rows, 4 * np.mod(np.floor(cycles) + whole, again) + index + 4)
     size = chance[..., 0] / share
     reach = LEAST + (MOST - LEAST) * size
     room = 1 - 2 * (reach + HALF)

@@ -4,9 +4,11 @@ import numpy as np
 import pytest
 from coasts import make_beach
 from shorewright.level import Rect
+from shorewright.level.loop import loop_changes
 from shorewright.level.objects import Camera
 from shorewright.level.rain import rain_at
 from shorewright.level.rain_rings import (
+    CELLS,
     Drops,
     cell_sides_m,
     cycle_s,
@@ -78,8 +80,8 @@ def test_the_mean_slope_has_a_closed_form():
     """D17: slope² over many cells is the integral over place, age and size, by the share of the cells that are hit."""
     x, y = np.random.default_rng(3).uniform(0, 90, (2, 200_000))
     for share in (0.3, 1.0):
-        slope = ring_slope(Drops(share, ((0.3, 0.2, 5.0, 64.0), (0.5, 0.7, 9.0, 64.0))), 2.0, x, y)
-        assert (slope**2).sum(axis=-1).mean() == pytest.approx(4 * 2 * share * mean_slope2(), rel=0.06)
+        slope = ring_slope(Drops(share, tuple((side, 0.2 + side, 5.0, 64.0) for side in cell_sides_m(0.44))), 2.0, x, y)
+        assert (slope**2).sum(axis=-1).mean() == pytest.approx(4 * len(CELLS) * share * mean_slope2(), rel=0.06)
         assert np.abs(slope.mean(axis=0)).max() < 2e-3
 
 
@@ -94,14 +96,15 @@ def test_drops_come_round_with_the_loop():
     assert np.abs(slopes(5.0) - slopes(11.0)).max() > 0.05
     level.set("time.loop_s", 6.0)
     assert np.abs(slopes(5.0) - slopes(11.0)).max() < 1e-6
+    assert sum(row.name.startswith("drops") for row in loop_changes(level)) == len(CELLS)
     assert np.abs(slopes(6.0 - 1e-9) - slopes(0.0)).max() < 1e-5
     assert np.abs(slopes(5.0) - slopes(5.2)).max() > 0.05
 
 
 def test_rings_are_as_wide_and_as_slow_as_they_are_told():
     """D17: the widest reaches ring_m across while its cycle lasts; its waves run at 0.23 m/s."""
-    small, large = cell_sides_m(0.44)
-    assert (small, large) == (pytest.approx(0.3), pytest.approx(0.5))
+    large = cell_sides_m(0.44)[-1]
+    assert large == max(cell_sides_m(0.44)) == pytest.approx(0.5)
     assert 0.34 * large / cycle_s(large) == pytest.approx(0.23)
 
 
@@ -126,16 +129,16 @@ def test_more_rain_is_more_slope_and_far_away_it_is_roughness(renderer):
     assert not shown(renderer, rainy(0.0)).any()
     seen, lost = [], []
     for rate in (2.0, 14.0):
-        near = [water(shown(renderer, rainy(rate), time_s=t)) for t in np.arange(6) * 2.3]
+        near = [water(shown(renderer, rainy(rate), time_s=t)) for t in (0.0, 2.3, 4.6)]
         seen.append(np.mean([(slopes**2).sum(axis=-1).mean() for slopes, _ in near]))
         lost.append(np.mean([lost.mean() for _, lost in near]))
     assert seen[1] > 2 * seen[0] > 0
     lost_far = water(shown(renderer, rainy(), HIGH))[1].mean()
     assert np.abs(water(shown(renderer, rainy(), HIGH))[0]).max() < 0.01
-    whole = 2 * share_hit(14.0) * mean_slope2()
+    whole = len(CELLS) * share_hit(14.0) * mean_slope2()
     assert lost_far == pytest.approx(whole, rel=0.01)
     assert 0.1 * whole < lost[1] < 0.9 * whole
-    assert seen[1] + lost[1] == pytest.approx(whole, rel=0.2)
+    assert seen[1] + lost[1] == pytest.approx(whole, rel=0.25)
 
 
 @pytest.mark.gl

@@ -1,4 +1,4 @@
-// Rings of raindrops on any water (D17): slopes alone. Two turned layers of cells, in each of them one drop after the
+// Rings of raindrops on any water (D17): slopes alone. Four turned layers of cells, in each of them one drop after the
 // other at its own place, or none; level/rain_rings.py is the twin and says how many.
 #ifdef RAIN_RINGS
 #include "lib/rain_hash.glsl"
@@ -8,13 +8,13 @@
 uniform float u_rain_ripples;
 uniform float u_rain_share;       // of the cells that a drop falls into
 uniform float u_rain_rings_mean;  // slope² of a layer on the whole
-uniform vec4 u_rain_layer[2];     // side of a cell m; cycles: part of one, number of whole ones, after how many they repeat
+uniform vec4 u_rain_layer[4];     // side of a cell m; cycles: part of one, number of whole ones, after how many they repeat
 
-const vec2 RAIN_TURN[2] = vec2[2](vec2(0.6, 0.8), vec2(-0.28, 0.96));  // sine, cosine
+const vec2 RAIN_TURN[4] = vec2[4](vec2(0.6, 0.8), vec2(-0.28, 0.96), vec2(0.96, -0.28), vec2(0.8, 0.6));  // sine, cosine
 // all in sides of a cell: half the width of the waves, how far their middle runs at least and at most
 const float DROP_HALF = 0.10, DROP_LEAST = 0.12, DROP_MOST = 0.34;
 const float DROP_PHASE = 7.5;  // of the waves at their rim: some more than a whole one to both sides
-const float DROP_SLOPE = 0.85, ROW_SHIFT = 0.618034;
+const float DROP_SLOPE = 1.0, ROW_SHIFT = 0.618034;
 
 // Slope outwards at r of a drop's waves, whose middle runs `reach` while its age goes to 1.
 float drop_slope(float r, float age, float reach) {
@@ -30,7 +30,7 @@ vec2 drop_rings(vec2 at, vec4 layer, int index) {
     ivec2 cell = ivec2(floor(at));
     float cycles = layer.y + rain_hash(ivec3(cell, index)).x;
     int number = int(mod(floor(cycles) + layer.z, layer.w));
-    vec3 chance = rain_hash(ivec3(cell, 2 * number + index + 2));
+    vec3 chance = rain_hash(ivec3(cell, 4 * number + index + 4));
     if (chance.x >= u_rain_share) return vec2(0.0);
     float size = chance.x / u_rain_share, reach = mix(DROP_LEAST, DROP_MOST, size);
     vec2 off = fract(at) - 0.5 - (1.0 - 2.0 * (reach + DROP_HALF)) * (chance.yz - 0.5);
@@ -41,7 +41,7 @@ vec2 drop_rings(vec2 at, vec4 layer, int index) {
 // Slope that they add, and in z the slope² of those too small for a pixel.
 vec3 rain_slope(vec2 xy, float pixel_m) {
     vec3 sum = vec3(0.0);
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < 4; ++i) {
         vec4 layer = u_rain_layer[i];
         vec2 way = RAIN_TURN[i];
         float shown = ring_shown(DROP_PHASE / (DROP_HALF * layer.x), pixel_m);
