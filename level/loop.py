@@ -57,6 +57,7 @@ class Change:
 def loop_changes(level) -> list[Change]:
     """Every period of the level's sea with what the loop makes of it; without a loop none changes."""
     from .gerstner import groups
+    from .rain_rings import cell_sides_m, cycle_s
 
     settings, loop_s = level.settings, level.settings.time.loop_s
     periods = [("shore waves", settings.shore.interval_s), ("foam that moves", settings.flow.interval_s)]
@@ -65,6 +66,8 @@ def loop_changes(level) -> list[Change]:
             periods += [(f"{word} front {number}", 2 * math.pi / omega)] if omega > 0 else []
     periods += [(f"ripples of {tile:g} m", ripple_period_s(tile)) for tile, _, _ in RIPPLES]
     periods.append(("whitecaps", CAP_LIFE_S))
+    if settings.clouds.on and settings.rain.ripples > 0:
+        periods += [(f"drops in cells of {side:.2f} m", cycle_s(side)) for side in cell_sides_m(settings.rain.ring_m)]
     for thing in sorted(level.objects.values(), key=lambda thing: thing.id):
         periods += [(f"lamp {thing.id}", thing.period_s)] if thing.kind == "light" and thing.orbit_m > 0 else []
     rows = [Change(name, float(old), float(looped(old, loop_s))) for name, old in periods]

@@ -18,12 +18,12 @@ LAPSE_C_KM = 6.5  # the mean lapse of the troposphere (ISO 2533)
 SLEET_C = 1.0  # so far to both sides of weather.snow_below_c it is partly both
 
 
-def rain_at(level: Level, time_s: float, x, y, camera=None) -> tuple[np.ndarray, np.ndarray]:
-    """Rain and snow in mm/h of water at world points; none without clouds. `camera` is that of weather_at."""
+def rain_at(level: Level, time_s: float, x, y, camera=None, seen_by: str = "") -> tuple[np.ndarray, np.ndarray]:
+    """Rain and snow in mm/h of water at world points; none without clouds. `camera` and `seen_by` are weather_at's."""
     x, y = np.broadcast_arrays(np.asarray(x, np.float64), np.asarray(y, np.float64))
     if not level.settings.clouds.on:
         return np.zeros(x.shape), np.zeros(x.shape)
-    sky = weather_at(level, time_s, x, y, camera).astype(np.float64)
+    sky = weather_at(level, time_s, x, y, camera, seen_by=seen_by).astype(np.float64)
     over_sea = np.maximum(ground_at(level, x, y) - level.mean_sea_m, 0.0)
     return rain_rate(level.settings.weather, sky[..., 0], sky[..., 1], over_sea)
 

@@ -123,7 +123,7 @@ class Weather(Section):
 
 
 class Rain(Section):
-    """How rain and snow are drawn (Z18, Z24)."""
+    """How rain and snow are drawn, and what they do to water (Z18, Z24, D17)."""
 
     shafts: float = param(1.0, 0, 4, "×", "How thick the curtains under rainy clouds are.", soft=(0, 2))
     streaks: float = param(1.0, 0, 4, "×", "How many drops and flakes are seen near the camera.", soft=(0, 2))
@@ -132,6 +132,8 @@ class Rain(Section):
     shutter_s: float = param(0.03, 0.002, 0.2, "s", "How long a drop leaves its trace.", soft=(0.01, 0.06))
     drop_m: float = param(0.0025, 0.0005, 0.02, "m", "How thick a drop's trace is.", soft=(0.001, 0.005))
     flake_m: float = param(0.014, 0.002, 0.1, "m", "How big flakes are.", soft=(0.005, 0.03))
+    ripples: float = param(1.0, 0, 4, "×", "Rings of drops on the water: how steep (D17).", soft=(0, 2))
+    ring_m: float = param(0.44, 0.05, 5, "m", "How wide the widest of them get.", soft=(0.2, 1))
 
 
 class Storm(Section):

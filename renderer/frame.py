@@ -41,6 +41,7 @@ OFF = {
     "plate.glsl": {"caustics.on": "NO_CAUSTICS"},
 }  # fmt: skip
 WITH_WAVES = ("sea.glsl", "view.glsl", "terrain.glsl", "scatter.glsl", "fronts.glsl")  # know the level's waves
+RAINED_ON = ("sea.glsl", "view.glsl")
 IN_THE_SUN = ("sea.glsl", "light.glsl", "view.glsl")  # ask sun_visibility
 UNDER = ("under_albedo", "under_normal", "under_eye_depth")
 
@@ -145,6 +146,8 @@ class Frame:
             defines |= wave_defines(self.level) | ({"TRAVEL_TIME": ""} if self.travels else {})
         if name in IN_THE_SUN:
             defines |= self.defines
+        if name in RAINED_ON and self.uniforms.get("u_rain_share", 0.0) > 0:
+            defines["RAIN_RINGS"] = ""
         defines |= {off: "" for path, off in OFF.get(name, {}).items() if not get(self.level.settings, path)}
         defines = {define: value for define, value in defines.items() if define not in without}
         shader = self.renderer.programs.get(name, **defines)

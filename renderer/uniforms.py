@@ -12,6 +12,7 @@ import numpy as np
 
 from ..level import Level, Settings
 from ..level.params import describe, get
+from ..level.rain_rings import mean_slope2, rain_drops
 from ..level.rings import MOST, rings
 from ..level.shore_field import shore_field
 from ..level.tide import band_m, left_s
@@ -63,6 +64,7 @@ def frame_uniforms(frame) -> dict:
         "u_wet_waves": WET_WAVES if frame.tier.sea_exact else 2,
         "u_swash_top_m": level.settings.shore.range_m * level.settings.shore.runup,
         **ring_uniforms(level, frame.time_s, matrices.position),
+        **rain_ring_uniforms(level, frame.time_s, matrices.position, frame.camera.id),
         **_sea_shape(level.settings),
         **(
             {"u_light_cloud_cover": 0.0, "u_cirrus": 0.0} if level.settings.clouds.on else {}
@@ -94,6 +96,18 @@ def ring_uniforms(level: Level, time_s: float, position) -> dict:
         "u_ring_count": len(rows),
         "u_ring_place": table[0],
         "u_ring_wave": table[1],
+    }
+
+
+def rain_ring_uniforms(level: Level, time_s: float, position, seen_by: str = "") -> dict:
+    """How much it rains where the camera is, for lib/rain_rings.glsl (D17); a share of 0 alone where it is dry."""
+    drops = rain_drops(level, time_s, float(position[0]), float(position[1]), seen_by)
+    if drops is None:
+        return {"u_rain_share": 0.0}
+    return {
+        "u_rain_share": drops.share,
+        "u_rain_rings_mean": drops.share * level.settings.rain.ripples**2 * mean_slope2(),
+        "u_rain_layer": np.array(drops.layers, np.float32),
     }
 
 

@@ -191,6 +191,10 @@ VIEWS: dict[str, View] = {
         View("rings", "Rings", "Slopes of rings from hits and floating things: red east, green north; grey is none.",
              "vec3(on_sea * 2.0 * ring_slope(position.xy, s.eye_depth * u_pixel_angle).xy + 0.5, 0.5)",
              "direct", ids="H19"),
+        View("rain_ripples", "Rain ripples", "Slopes of the rings of drops: red east, green north; blue what of them "
+             "is too small for a pixel and makes it rough; black where none fall.",
+             "on_sea * rain_shown(s.before, s.eye_depth * u_pixel_angle)", "direct", ids="D17",
+             settings=(("clouds.on", True),)),
         View("glint", "Glint", "The sun in the water's mirror, without haze.",
              "on_sea * sun_glint(s, ray * s.eye_depth)", "light", ids="L07"),
         View("crest_light", "Crest light", "The sun that comes through the crests of waves, as a share of it.",

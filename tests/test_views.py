@@ -38,7 +38,7 @@ def small_coast():
     level.put_mesh("block", block())
     fall = ((0, 0, 12, 5, 3), (0, -9, 12, 4.9, 3), (-1, -13, 12, 3.2, 3), (-4, -40, 12, 0, 1))
     level.put_object("river", River(id="river", x=132, y=104, points=fall))
-    level.set("weather.precipitation", 0.6)  # for the views alone: there are no clouds
+    level.set("weather.precipitation", 0.9)  # for the views alone: there are no clouds
     level.set("weather.temperature_c", 1.0)
     level.set("foam.height_low", -0.5)  # foam on all offshore waves: those of so small a sea are low
     return level

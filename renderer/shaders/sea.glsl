@@ -17,6 +17,7 @@
 #include "lib/sea_below.glsl"
 #include "lib/sheet.glsl"
 #include "lib/rings.glsl"
+#include "lib/rain_rings.glsl"
 #ifdef RIVERS
 #include "lib/river.glsl"
 #endif
@@ -105,7 +106,11 @@ void main() {
     // a shore wave is lit as the steep wave it stands for: cells of half a metre carry a gentler one
     vec2 slope = -sea.normal.xy / max(sea.normal.z, 0.05) * (1.0 + 0.9 * body * breadth);
     slope = sharp.x * (slope - 0.9 * (1.0 - breadth) * sea.shore.lift.yz) + rippled * ripple.xy;
-    vec3 rings = ring_slope(sea.position.xy, long_m) * smoothstep(0.0, 0.15, column);
+    vec3 rings = ring_slope(sea.position.xy, long_m);
+#ifdef RAIN_RINGS
+    rings += rain_slope(before, long_m);
+#endif
+    rings *= smoothstep(0.0, 0.15, column);
     slope += rings.xy;
     // slopes that neither the waves here nor the ripples show: together always what the wind makes (Cox & Munk 1954)
     vec2 shown = sea.deep * sharp.x * vec2(1.0, sharp.y);

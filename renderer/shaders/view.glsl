@@ -22,6 +22,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/inset.glsl"
 #endif
 #include "lib/reflections.glsl"
+#include "lib/rain_shown.glsl"
 #include "lib/mouth_shown.glsl"
 uniform sampler2D u_layer_foam;
 uniform sampler2D hdr;

@@ -1,4 +1,5 @@
 // Drops and flakes round the camera, on cylinders about it: each cell of a cylinder holds one or none (Z18, Z24).
+#include "lib/rain_hash.glsl"
 
 uniform float u_rain_fall_mps, u_rain_flake_mps, u_rain_shutter_s, u_rain_drop_m, u_rain_flake_m, u_rain_streaks;
 uniform vec4 u_rain_fallen, u_flakes_fallen;  // rows that they have fallen on each cylinder, within ROWS
@@ -10,14 +11,6 @@ const float CYLINDER_M[4] = float[4](2.0, 5.0, 11.0, 24.0);
 const float RAIN_ROWS = 64.0, FULL_MM_H = 30.0, TURN = 6.28318530718;
 // passes/rain.py has the same: metres of a row a metre of distance
 const float DROP_ROW = 0.30, FLAKE_ROW = 0.05;
-
-vec3 rain_hash(ivec3 cell) {
-    uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
-    v ^= v >> 16u;
-    v.x += v.y * v.z; v.y += v.z * v.x; v.z += v.x * v.y;
-    return vec3(v >> 8u) / 16777216.0;
-}
 
 struct Place {
     vec3 chance;   // of what is in the cell
