@@ -10,7 +10,7 @@ from ..level.lake import basin, brim_m
 from ..level.objects import River
 from ..level.river_bed import carved
 from ..level.river_edit import deleted, extended, inserted, snapped
-from ..level.river_trace import traced
+from ..level.river_trace import begun
 from . import script as words
 from .object_edits import Objects
 
@@ -30,9 +30,8 @@ class RiverEdits(Objects):
         return thing
 
     def river_begin(self, name: str, x: float, y: float) -> None:
-        """A new river from a place on land, down the way that water would take to the sea."""
-        points = traced(self.level, x, y)
-        self.place({"kind": "river", "id": name, "x": round(x, 2), "y": round(y, 2), "points": points})
+        """A new river from a place on land, down the way that water would take to the sea or into other water."""
+        self.place({"kind": "river", "id": name, "x": round(x, 2), "y": round(y, 2), **begun(self.level, x, y)})
 
     def river_insert(self, name: str, x: float, y: float) -> int:
         """A point more where a river comes nearest to a world place; returns its number, from 0."""

@@ -6,26 +6,19 @@ the point in hand sets the width. Ctrl+click puts a point more into the line, or
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from ..level import Level
 from ..level.objects import Camera, River
 from ..level.pick import ground_at
 from ..level.river_edit import moved_point, places, set_point
-from ..level.river_line import Line, centre_line
+from ..level.river_join import own_line
+from ..level.river_line import Line
 from .camera_control import to_screen
 
 REACH_PX = 11.0
 ARROW_WIDTHS = 4.0  # way between two arrows, in widths
 POINT, WIDTH = "point", "width"
-
-
-@lru_cache(maxsize=32)
-def own_line(river: River) -> Line:
-    """The dense line without its tail out to sea."""
-    return centre_line(river, -1e6)
 
 
 def _across(line: Line) -> np.ndarray:

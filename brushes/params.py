@@ -104,12 +104,12 @@ class MapChoice(Section):
 
     onto: Literal[
         "foam.transient", "foam.constant", "foam", "river_foam.stagnant", "river_foam.turbulent", "river_foam",
-        "puddle_keepout", "shelter", "snow", "ice", "corruption", "yielding", "quiet",
+        "puddle_keepout", "shelter", "snow", "ice", "corruption", "yielding", "quiet", "mouth",
     ] = param("foam.constant", doc="The layer, or one channel of it, that is painted.")  # fmt: skip
     mode: Literal["add", "remove", "set", "smooth", "reset"] = param(
         "add", doc="Put more there or take away (Ctrl does the other), bring it to the target (Ctrl to nothing), smooth"
         " it, or bring it back to nothing.")  # fmt: skip
-    target: float = param(1.0, 0, 1, "", "What the mode set brings it to.")
+    target: float = param(1.0, -1, 1, "", "What the mode set brings it to; below nothing only waves in rivers go.")
 
 
 class MapParams(AlphaParams, MapChoice):

@@ -85,9 +85,20 @@ def parse(path: Path, data: bytes) -> Manifest:
     try:
         manifest = Manifest.model_validate(raw)
     except ValidationError as error:
-        raise BadInput(f"{path} cannot be used: {sentence(error, 'level')[:300]}") from None
+        raise BadInput(f"{path} cannot be used: {_told(error, raw)[:300]}") from None
     _check(path, manifest)
     return manifest
+
+
+def _told(error: ValidationError, raw: dict) -> str:
+    """The sentence of an error; what is wrong with an object is told by its id, not by its number."""
+    told, (first, *rest) = sentence(error, "level"), error.errors()[0]["loc"] or ("",)
+    if first != "objects" or len(rest) < 2:
+        return told
+    thing = raw["objects"][rest[0]]
+    name = thing.get("id") if isinstance(thing, dict) else None
+    place = ".".join(map(str, (first, *rest)))
+    return told.replace(f"level: {place}", f"object {name!r}, {'.'.join(map(str, rest[2:]))}", 1) if name else told
 
 
 def _check(path: Path, manifest: Manifest) -> None:

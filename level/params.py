@@ -16,6 +16,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from .errors import BadInput
 
 Model = TypeVar("Model", bound=BaseModel)
+MOST_SHOWN = 60  # characters of a wrong value that a sentence repeats
 
 
 class Section(BaseModel):
@@ -146,6 +147,7 @@ def sentence(error: ValidationError, name: str, value: Any = None) -> str:
     first = error.errors()[0]
     place = ".".join(str(part) for part in first["loc"])
     name = name if not place or name.endswith(place) else f"{name}: {place}"
-    shown = first.get("input", value)
+    shown = repr(first.get("input", value))
     told = first["msg"].removeprefix("Value error, ")
-    return f"{name} = {shown!r}: {told[0].lower()}{told[1:]}"
+    shown = f" = {shown}" if len(shown) <= MOST_SHOWN else ""  # a whole list of numbers helps nobody
+    return f"{name}{shown}: {told[0].lower()}{told[1:]}"

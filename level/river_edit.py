@@ -9,7 +9,8 @@ from .level import Level
 from .objects import River
 from .params import Section, param
 from .pick import ground_at
-from .river_line import FASTEST_MPS, NARROWEST_M, WIDEST_M, centre_line
+from .river_join import own_line
+from .river_line import FASTEST_MPS, NARROWEST_M, WIDEST_M
 
 Points = tuple[tuple[float, ...], ...]
 FIELDS = ("east", "north", "width_m", "level_m", "speed_mps")
@@ -48,7 +49,7 @@ def set_point(river: River, n: int, **values: float) -> Points:
 
 def inserted(river: River, x: float, y: float) -> tuple[Points, int]:
     """With a point more where the line comes nearest to a world place, and its number; width and level stay."""
-    line = centre_line(river, -1e6)  # without the tail
+    line = own_line(river)
     i = int(np.hypot(line.x - x, line.y - y).argmin())
     own = places(river)
     starts = [int(np.hypot(line.x - px, line.y - py).argmin()) for px, py in own]
@@ -74,7 +75,7 @@ def deleted(river: River, n: int) -> Points:
 
 def snapped(level: Level, river: River) -> Points:
     """Levels brought down to the lowest ground that the line has crossed so far, so that it lies in its valley."""
-    line = centre_line(river, -1e6)
+    line = own_line(river)
     ground = np.maximum(ground_at(level, line.x, line.y), level.mean_sea_m)
     lowest = np.minimum.accumulate(ground)
     found = [float(lowest[int(np.hypot(line.x - x, line.y - y).argmin())]) for x, y in places(river)]

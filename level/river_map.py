@@ -18,7 +18,8 @@ from scipy import ndimage
 from .dual import Dual
 from .level import Level
 from .objects import River
-from .river_line import Line, centre_line
+from .river_join import line_of, main_first, rivers, runs_to_sea
+from .river_line import Line
 from .shore import MOST_SIDE
 
 CHANNELS = ("stage", "share", "along", "swell", "chop", "white", "rough")
@@ -28,6 +29,7 @@ DROWNED_M = (0.02, 0.5)  # water so far over the sea carries all of its waves, n
 NOBODY, PAINTED = -1, -2
 CODE_STEPS, CODE_ONE = 511, 255  # 255 steps stand for waves as they are, or their share 1 would not be exact
 ROUGH_FALL = (0.004, 0.06)  # slope of the water at which it is smooth, wholly rough
+FALL = 0.2, 0.6  # slope of the water at which its edges begin to stay, stay sharp
 SMOOTH_CELLS = 1.2  # sigma over which the level is even across the inside of a bend
 
 
@@ -93,11 +95,6 @@ def waves_of_code(code) -> tuple[np.ndarray, ...]:
     return swell / CODE_ONE, chop / CODE_ONE, white / 63, np.maximum(-code, 0.0)
 
 
-def rivers(level: Level) -> list[River]:
-    """The level's rivers by id."""
-    return sorted((o for o in level.objects.values() if isinstance(o, River)), key=lambda o: o.id)
-
-
 def has_rivers(level: Level) -> bool:
     """Whether any water isn't the sea."""
     return level.settings.river.on and (bool(rivers(level)) or not level.layers["river_mask"].neutral)
@@ -116,7 +113,8 @@ def river_shape(level: Level) -> RiverMap | None:
         return None
     painted = tuple(level.layer_revision(name) for name in ("river_mask", "river_surface"))
     lines = tuple(rivers(level))
-    key = (id(level.layers["height"]), lines, painted, level.mean_sea_m)
+    to_sea = tuple(runs_to_sea(level, river) for river in lines)
+    key = (id(level.layers["height"]), lines, painted, level.mean_sea_m, to_sea)
     have = level.derived.get("river_shape")
     if have is None or have.key != key:
         have = level.derived["river_shape"] = _made(level, lines, key)
@@ -129,12 +127,12 @@ def _made(level: Level, lines: tuple[River, ...], key: tuple) -> RiverMap:
     shape = level.height[::stride, ::stride].shape
     packed = np.zeros((*shape, 4), np.float32)
     packed[..., 0] = -1e3
-    dense = tuple(centre_line(river, level.mean_sea_m, min(cell_m, 1.0)) for river in lines)
+    dense = tuple(line_of(level, river, min(cell_m, 1.0)) for river in lines)
     made = RiverMap(packed, cell_m, key, dense, np.full(shape, NOBODY, np.int16), np.zeros(shape, np.int32))
-    for which in range(len(dense)):
+    for which in main_first(lines):
         _lay(made, which, level.mean_sea_m)
     _paint(made, level, stride)
-    _even(packed)
+    _even(packed, _falls(made))
     return made
 
 
@@ -224,15 +222,29 @@ def _paint(made: RiverMap, level: Level, stride: int) -> None:
     packed[..., 3] = np.where(more, 0.0, packed[..., 3])
 
 
-def _even(packed: np.ndarray) -> None:
-    """The level a little smoothed within the water, then carried on past its rim, so that no filter meets a hole."""
+def _falls(made: RiverMap) -> np.ndarray:
+    """Where water drops steeply, 0 … 1 `(rows, cols)`."""
+    steep = np.zeros(made.owner.shape, np.float32)
+    for which, line in enumerate(made.lines):
+        fall = ndimage.maximum_filter1d(-np.gradient(line.level_m, line.along_m), 5)
+        own = made.owner == which
+        steep[own] = np.clip((fall[made.nearest[own]] - FALL[0]) / (FALL[1] - FALL[0]), 0, 1)
+    return steep
+
+
+def _even(packed: np.ndarray, falls: np.ndarray) -> None:
+    """The level a little smoothed within the water but for the edge of falls (0 … 1), then carried on past its rim, so
+    that no filter meets a hole.
+    """
     own = packed[..., 1] > 0
     if not own.any():
         return
     weight = ndimage.gaussian_filter(own.astype(np.float32), SMOOTH_CELLS)
     stage = ndimage.gaussian_filter(np.where(own, packed[..., 0], 0).astype(np.float32), SMOOTH_CELLS)
     near = weight > 1e-3
-    packed[..., 0] = np.where(near, stage / np.maximum(weight, 1e-3), 0.0)
+    kept = np.where(own, falls, 0.0)
+    stage = stage / np.maximum(weight, 1e-3)
+    packed[..., 0] = np.where(near, stage + kept * (packed[..., 0] - stage), 0.0)
     away, (row, col) = ndimage.distance_transform_edt(~near, return_indices=True)
     packed[..., 0] = np.where(away < 4, packed[row, col, 0], 0.0)
     packed[..., 3] = np.where(own, packed[..., 3], np.where(away < 4, packed[row, col, 3], 0.0))

@@ -1,4 +1,4 @@
-"""The way that water would take from a place to the sea: a new river's line (D13).
+"""The way that water would take from a place to the sea, or into water that is there already: a new river (D13).
 
 Cheapest way over a coarse grid, where going up costs much and the bottom of a valley is cheap: valleys are followed,
 ridges crossed at their lowest.
@@ -14,6 +14,7 @@ from .errors import BadInput
 from .level import Level
 from .objects import River
 from .river_edit import Points, snapped
+from .river_map import JOIN_M, river_map
 
 MOST_SIDE = 193  # of the grid that is searched
 UPHILL = 400.0  # metres of way that a metre up costs
@@ -24,22 +25,47 @@ FEWEST_M = 0.35  # spacing of its points against its length, at most
 
 
 def traced(level: Level, x: float, y: float, width_m: float = 8.0, speed_mps: float = 1.0) -> Points:
-    """Points of a river from a world place down to the sea, relative to it; from out at sea, from the land near by.
+    """Points of a river from a world place down to the sea or other water, relative to it; from out at sea, from the
+    land near by.
 
     BadInput where no sea is, or no land.
     """
+    return begun(level, x, y, width_m, speed_mps)["points"]
+
+
+def begun(level: Level, x: float, y: float, width_m: float = 8.0, speed_mps: float = 1.0) -> dict:
+    """What a new River from a world place says: its points; where it runs into other water, no reach out to sea."""
     stride = max(1, math.ceil((max(level.grid.shape) - 1) / (MOST_SIDE - 1)))
     ground = level.height[::stride, ::stride].astype(np.float64) - level.mean_sea_m
     cell_m = level.grid.cell_m * stride
     row, col = (int(np.clip(round(v / cell_m), 0, n - 1)) for v, n in zip((y, x), ground.shape, strict=True))
-    inland = _inland(ground, (row, col))
-    way = _cheapest(ground, cell_m, inland)
+    water = _water(level, ground, cell_m)
+    inland = _inland(np.where(np.isnan(water), ground, np.maximum(ground, water)), (row, col))
+    way = _cheapest(ground, cell_m, inland, water)
     at = np.stack([way[:, 1] * cell_m, way[:, 0] * cell_m], -1)
     if inland == (row, col):
         at[0] = x, y
     knots = _fewer(at, cell_m)
     points = tuple((float(px - x), float(py - y), width_m, 1e4, speed_mps) for px, py in np.round(knots, 2))
-    return snapped(level, River.model_construct(id="new", x=x, y=y, points=points, reach_m=0.0))
+    points = snapped(level, River.model_construct(id="new", x=x, y=y, points=points, reach_m=0.0))
+    joins_m = water[tuple(way[-1])] + level.mean_sea_m
+    if np.isnan(joins_m):
+        return {"points": points}
+    joins_m = round(float(joins_m), 3)
+    *before, last = ((*point[:3], max(point[3], joins_m), point[4]) for point in points)
+    return {"points": (*before, (*last[:3], joins_m, last[4])), "reach_m": 0.0}
+
+
+def _water(level: Level, ground: np.ndarray, cell_m: float) -> np.ndarray:
+    """Level over the mean sea of the rivers and lakes that are there, m; NaN elsewhere and where the sea is over it."""
+    made = river_map(level)
+    if made is None:
+        return np.full(ground.shape, np.nan)
+    rows, cols = (np.minimum(np.rint(np.arange(n) * cell_m / made.cell_m).astype(int), most - 1)
+                  for n, most in zip(ground.shape, made.owner.shape, strict=True))  # fmt: skip
+    there = np.ix_(rows, cols)
+    stage, wet = made.packed[..., 0][there].astype(np.float64), made.wet[there]
+    return np.where(wet & (stage > JOIN_M) & (stage > ground), stage, np.nan)
 
 
 def _inland(ground: np.ndarray, start: tuple[int, int]) -> tuple[int, int]:
@@ -58,13 +84,15 @@ def _inland(ground: np.ndarray, start: tuple[int, int]) -> tuple[int, int]:
     return tuple(int(v) for v in np.unravel_index(best, ground.shape))
 
 
-def _cheapest(ground: np.ndarray, cell_m: float, start: tuple[int, int]) -> np.ndarray:
-    """Cells `(n, 2)` from a start to the sea."""
+def _cheapest(ground: np.ndarray, cell_m: float, start: tuple[int, int], water: np.ndarray) -> np.ndarray:
+    """Cells `(n, 2)` from a start to the sea or into other water, but for that which it starts in."""
     from scipy import ndimage, sparse
     from scipy.sparse.csgraph import dijkstra
 
-    sea = ground < -DEEP_M
-    if not sea.any():
+    parts, _ = ndimage.label(~np.isnan(water))
+    other = (parts > 0) & (parts != parts[start])
+    sea = (ground < -DEEP_M) & (parts == 0)
+    if not (sea | other).any():
         raise BadInput("this level has no sea that a river could run to")
     over = ground - ndimage.gaussian_filter(ground, VALLEY_CELLS, mode="nearest")
     price = np.exp(np.clip(CHEAPER[0] * over / max(float(over[~sea].std()), 1e-9), -CHEAPER[1], CHEAPER[1]))
@@ -82,7 +110,7 @@ def _cheapest(ground: np.ndarray, cell_m: float, start: tuple[int, int]) -> np.n
     graph = sparse.csr_matrix((np.concatenate(costs), (np.concatenate(rows), np.concatenate(cols))),
                               shape=(ground.size, ground.size))  # fmt: skip
     cost, before = dijkstra(graph, indices=int(number[start]), return_predecessors=True)
-    end = int(np.where(sea.ravel(), cost, np.inf).argmin())
+    end = int(np.where((sea | other).ravel(), cost, np.inf).argmin())
     cells = [end]
     while cells[-1] != number[start]:
         cells.append(int(before[cells[-1]]))

@@ -63,6 +63,25 @@ def test_modes_and_their_contraries():
         assert here() == after, (mode, invert)
 
 
+def test_waves_in_rivers_are_painted_both_ways_and_replayed():
+    """T03 D35: from none of them to all, −1 to 1; a replayed stroke leaves the same bytes."""
+    level = beach()
+    here = lambda: level.layers["mouth"].array[80, 70].item()  # noqa: E731
+    for mode, strength, target, after in (
+        ("remove", 0.5, 1, -0.5), ("remove", 1.0, 1, -1.0), ("add", 0.5, 1, -0.5), ("set", 1.0, -0.75, -0.75),
+        ("add", 1.0, 1, 0.25), ("add", 1.0, 1, 1.0), ("reset", 1.0, 1, 0.0),
+    ):  # fmt: skip
+        paint(level, (70, 80), onto="mouth", mode=mode, strength=strength, target=target)
+        assert here() == after, (mode, strength)
+    params = {**HARD, "onto": "mouth", "mode": "remove"}
+    first, again = beach(), beach()
+    play_again(again, Journal(again), paint(first, (70, 80), (90, 84), **params))
+    assert state(first) == state(again)
+    assert first.layers["mouth"].array.min() == -0.5
+    paint(level, (70, 80), onto="snow", mode="set", target=-1)
+    assert level.layers["snow"].array.min() == 0.0
+
+
 def test_smoothing_evens_paint_and_stays_in_its_range():
     level = beach()
     noise = np.random.default_rng(3).random(level.grid.shape).round().astype(np.float32)

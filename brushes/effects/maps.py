@@ -48,7 +48,7 @@ class Maps(Effect):
     def begin(self, canvas, row: float, col: float) -> None:
         layer = canvas.data.row
         self.low, self.high = np.float32(layer.low), np.float32(layer.high)
-        self.goal = np.float32(self.params.target if self.mode == "set" else 0)
+        self.goal = np.clip(np.float32(self.params.target if self.mode == "set" else 0), self.low, self.high)
         self.most = np.float32(self.params.opacity) * (self.high - self.low)
 
     def prepare(self, canvas, rect, link) -> None:
