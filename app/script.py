@@ -256,7 +256,8 @@ def _first(error: ValidationError) -> str:
     path = [str(part) for part in first["loc"][1:] if not str(part).startswith("tuple")]
     if not first["loc"] and first["type"].startswith("union_tag"):
         return f'"do" must be one of {", ".join(WORDS)}'
-    told = f"{first['msg'][0].lower()}{first['msg'][1:]}"
+    told = first["msg"].removeprefix("Value error, ")
+    told = f"{told[0].lower()}{told[1:]}"
     return f"{'.'.join(path)}: {told}" if path else told
 
 
