@@ -194,6 +194,8 @@ def with_waves(level: Level) -> RiverMap | None:
     have = level.derived.get("river_map")
     if have is not None and level.live and have.key[0] == shape.key:
         return have  # till the stroke ends
+    if have is not None and have.key != key and flow.key[0] != shape.key and have.packed.shape == shape.packed.shape:
+        have = level.derived["river_map"] = _till_it_flows(shape, have, key)
     if have is None or have.key != key:
         found, there = shares(level, shape, flow)
         packed = shape.packed.copy()
@@ -203,3 +205,11 @@ def with_waves(level: Level) -> RiverMap | None:
         most = max(float(values.max(initial=1.0)) for values in (found.swell, found.chop))
         have = level.derived["river_map"] = replace(shape, packed=packed, key=key, most_gain=most)
     return have
+
+
+def _till_it_flows(shape: RiverMap, before: RiverMap, key: tuple) -> RiverMap:
+    """A new shape with the waves of the map before it, none in new water: its flow is still on its way."""
+    packed, now, was = shape.packed.copy(), shape.packed[..., 1] > 0, before.packed[..., 1] > 0
+    kept = np.where(was & ~now, code_of_waves(1.0, 1.0, 0.0, 0.0), before.packed[..., 3])
+    packed[..., 3] = np.where(now & ~was, packed[..., 3], kept)
+    return replace(shape, packed=packed, key=key, most_gain=before.most_gain)

@@ -8,11 +8,15 @@ from coasts import make_beach
 from shorewright.app.session import Session
 from shorewright.io import read_level, write_level
 from shorewright.level import BadInput
+from shorewright.level.objects import Camera
 from shorewright.level.river_bed import carved
 from shorewright.level.river_join import line_of, main_first, runs_to_sea
 from shorewright.level.river_map import river_map
 from shorewright.level.river_trace import begun
+from shorewright.renderer import render
 from test_rivers import coast, down, valley
+
+LEAST = 100  # of 255
 
 
 def put(level, river, carve=True):
@@ -111,6 +115,46 @@ def test_a_fall_stays_sharp_and_its_banks_hold_it():
     assert (water - level.height[90:150])[(share > 0.3) & (share < 0.95)].max() < 0.05
     middle = made.packed[80:150, 60, 0] + level.mean_sea_m - level.height[80:150, 60]
     assert middle.min() > 0.1
+
+
+def test_a_dragged_river_waits_for_nothing():
+    """D13 D35: with a solver beside, water moves at once; the waves that meet it follow when its flow has come."""
+
+    class Beside:
+        comes = False
+
+        def beside(self, name, key, request):
+            return request().answered() if self.comes else None
+
+    level = coast()
+    river, before = level.objects["river"], river_map(level)
+    level.solver = Beside()
+    level.put_object("river", river.model_copy(update={"x": river.x + 6.0}))
+    moved = river_map(level)
+    assert moved.packed[130, 70, 1] == 1
+    assert before.packed[130, 70, 1] == 0
+    assert moved.packed[130, 70, 3] <= 0  # none of the sea's waves in new water
+    assert river_map(level) is moved
+    level.solver.comes = True
+    came = river_map(level)
+    fresh = coast()
+    fresh.write("height", level.grid.rect, level.height)
+    fresh.put_object("river", level.objects["river"])
+    np.testing.assert_array_equal(came.packed, river_map(fresh).packed)
+
+
+@pytest.mark.gl
+def test_a_fall_above_an_eye_in_the_air_is_not_black(renderer):
+    """D13: it is seen from outside, with no dark line at the eye's horizon."""
+    level = make_beach(rows=161, cols=121)
+    river = down(60, 155, 60, 74, (9.5, 9.2, 9.0, 0.5, 0.0), depth_m=0.5)
+    knots = list(river.points)
+    knots[3] = (0.0, -44.0, 8.0, 3.0, 2.0)
+    put(level, river.model_copy(update={"points": tuple(knots)}))
+    level.set("river.turbulent", 0.0)  # or foam covers it
+    eye = Camera(id="eye", x=60, y=100, z=6, yaw_deg=0, pitch_deg=10, fov_deg=50)
+    drawn = render(level, eye, (240, 135), 3.0, renderer=renderer, quality="low")[..., :3].astype(float)
+    assert drawn[:, 100:140].max(-1).min() > LEAST
 
 
 def test_a_wrong_river_in_a_file_is_told_in_a_sentence(tmp_path):

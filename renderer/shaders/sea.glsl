@@ -50,6 +50,16 @@ void fade_surf(inout Sea sea) {
     sea.bed.depth.x = max(sea.bed.depth.x, u_apron.y * open_sea * open_sea);
 }
 
+// Whether what stands above the eye is seen through the air: a fall, or a river on higher ground (D13).
+bool eye_over_water() {
+#ifdef RIVERS
+    River there = river_at(u_camera.xy);
+    return u_camera.z > u_sea_now_m + (there.share >= 0.5 ? there.still : 0.0);
+#else
+    return false;
+#endif
+}
+
 // The sea's transient and constant foam; where the level has rivers, their stagnant and turbulent foam too.
 vec4 painted_foam(vec2 xy) { return u_show_painted_foam ? layer_at(u_layer_foam, xy, u_cell_m) : vec4(0.0); }
 
@@ -120,8 +130,9 @@ void main() {
     float hangs = (1.0 - smoothstep(0.25, 0.6, sea.normal.z)) * sharp.x;
     normal = normalize(mix(normal, hanging, hangs));
 #endif
+    bool outside = to_eye.z >= 0.0 || eye_over_water(), higher = outside && to_eye.z < 0.0;
     if (dot(normal, to_eye) < 0.0)
-        normal = to_eye.z < 0.0 ? -normal : normalize(normal - 1.02 * dot(normal, to_eye) * to_eye);
+        normal = outside ? normalize(normal - 1.02 * dot(normal, to_eye) * to_eye) : -normal;
 
     current.rg += force.xy;
     stirred = force.w;
@@ -140,9 +151,10 @@ void main() {
     normal = normalize(normal + vec3(0.0, 0.0, 2.2 * turned * foam.cover));
 #endif
 #ifdef PLUNGE
-    vec4 land = below(normalize(normal + vec3(0.0, 0.0, 3.0 * hangs)), eye_depth, away);  // bent so far, a ray finds nothing
+    // bent so far, a ray finds nothing
+    vec4 land = below(normalize(normal + vec3(0.0, 0.0, 3.0 * hangs)), eye_depth, away, higher);
 #else
-    vec4 land = below(normal, eye_depth, away);
+    vec4 land = below(normal, eye_depth, away, higher);
 #endif
     float cosine = clamp(dot(normal, to_eye), 0.02, 1.0);
     float depth = land.w * water_cosine(cosine) * abs(to_eye.z);

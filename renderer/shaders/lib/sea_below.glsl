@@ -26,8 +26,11 @@ vec3 through_plates(vec2 here, vec2 bent, float thickness) {
 }
 #endif
 
-// Colour and thickness of the land below, looked up where the wave bends the view; never from before the water.
-vec4 below(vec3 normal, float eye_depth, float away) {
+const float CREST_M = 0.6;  // of water before the sky where a river stands above the eye
+
+// Colour and thickness of the land below, looked up where the wave bends the view; never from before the water. Where
+// `higher` than an eye in the air, the sky is behind no more than a river's crest, elsewhere behind a sea.
+vec4 below(vec3 normal, float eye_depth, float away, bool higher) {
     ivec2 size = textureSize(under_eye_depth, 0), here = ivec2(gl_FragCoord.xy);
     vec2 bent = vec2(here) + 0.5;
     if (u_show_refraction) {
@@ -41,7 +44,7 @@ vec4 below(vec3 normal, float eye_depth, float away) {
         bent = vec2(here) + 0.5;
         depth = texelFetch(under_eye_depth, here, 0).r;
     }
-    float thickness = depth > eye_depth ? (depth - eye_depth) * away / eye_depth : (depth > 0.0 ? 0.0 : 1e4);
+    float thickness = depth > eye_depth ? (depth - eye_depth) * away / eye_depth : (depth > 0.0 ? 0.0 : higher ? CREST_M : 1e4);
 #ifdef PLATE
     return vec4(through_plates(vec2(here) + 0.5, bent, thickness), thickness);
 #else
