@@ -16,7 +16,7 @@ from shorewright.level.river_trace import begun
 from shorewright.renderer import render
 from test_rivers import coast, down, valley
 
-LEAST = 60  # of 255
+LEAST = 100  # of 255
 
 
 def put(level, river, carve=True):
@@ -121,16 +121,14 @@ def test_a_dragged_river_waits_for_nothing():
     """D13 D35: with a solver beside, water moves at once; the waves that meet it follow when its flow has come."""
 
     class Beside:
-        asked = None
+        comes = False
 
         def beside(self, name, key, request):
-            self.asked = request
             return request().answered() if self.comes else None
 
-    level, river = coast(), None
+    level = coast()
     river, before = level.objects["river"], river_map(level)
     level.solver = Beside()
-    level.solver.comes = False
     level.put_object("river", river.model_copy(update={"x": river.x + 6.0}))
     moved = river_map(level)
     assert moved.packed[130, 70, 1] == 1
@@ -147,16 +145,16 @@ def test_a_dragged_river_waits_for_nothing():
 
 @pytest.mark.gl
 def test_a_fall_above_an_eye_in_the_air_is_not_black(renderer):
-    """D13: against the sky it is seen from outside, its lip too."""
+    """D13: it is seen from outside, with no dark line at the eye's horizon."""
     level = make_beach(rows=161, cols=121)
     river = down(60, 155, 60, 74, (9.5, 9.2, 9.0, 0.5, 0.0), depth_m=0.5)
     knots = list(river.points)
     knots[3] = (0.0, -44.0, 8.0, 3.0, 2.0)
     put(level, river.model_copy(update={"points": tuple(knots)}))
-    eye = Camera(id="eye", x=60, y=100, z=4.5, yaw_deg=0, pitch_deg=8, fov_deg=50)
+    level.set("river.turbulent", 0.0)  # or foam covers it
+    eye = Camera(id="eye", x=60, y=100, z=6, yaw_deg=0, pitch_deg=10, fov_deg=50)
     drawn = render(level, eye, (240, 135), 3.0, renderer=renderer, quality="low")[..., :3].astype(float)
-    lip = drawn[20:75, 90:150]
-    assert lip.max(-1).min() > LEAST
+    assert drawn[:, 100:140].max(-1).min() > LEAST
 
 
 def test_a_wrong_river_in_a_file_is_told_in_a_sentence(tmp_path):
