@@ -78,7 +78,7 @@ class RiverEdits(Objects):
 
     def _water_here(self, x: float, y: float) -> float:
         grid = self.level.grid
-        row, col = (int(np.clip(round(v / grid.cell_m), 0, n - 1)) for v, n in zip((y, x), grid.shape, strict=True))
+        row, col = grid.nearest(x, y)
         here = Rect(row, col, row + 1, col + 1)
         if self.level.layers["river_mask"].read(here)[0, 0] < 0.5:
             raise BadInput("here is no filled water to drain")

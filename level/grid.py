@@ -124,6 +124,11 @@ class Grid:
         east_m, north_m = self.origin_m
         return (y_m - north_m) / self.cell_m, (x_m - east_m) / self.cell_m
 
+    def nearest(self, x: float, y: float) -> tuple[int, int]:
+        """Row and column of the sample nearest to a world place; that of the border beyond it."""
+        return tuple(min(max(round((v - o) / self.cell_m), 0), n - 1)
+                     for v, o, n in zip((y, x), self.origin_m[::-1], self.shape, strict=True))  # fmt: skip
+
     def to_metres(self, row, col):
         """World (x, y) of a (row, column); works on arrays."""
         east_m, north_m = self.origin_m

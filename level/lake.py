@@ -17,7 +17,7 @@ def basin(level: Level, x: float, y: float, level_m: float) -> tuple[Rect, np.nd
     BadInput where the ground is dry at that level, or the water would run out of the level or into the sea.
     """
     grid, ground = level.grid, level.height
-    row, col = (int(np.clip(round(v / grid.cell_m), 0, n - 1)) for v, n in zip((y, x), grid.shape, strict=True))
+    row, col = grid.nearest(x, y)
     if ground[row, col] >= level_m:
         raise BadInput(f"the ground here is at {ground[row, col]:.2f} m, over the water's {level_m:.2f} m")
     labels, _ = ndimage.label(ground < level_m)
@@ -35,7 +35,7 @@ def basin(level: Level, x: float, y: float, level_m: float) -> tuple[Rect, np.nd
 def brim_m(level: Level, x: float, y: float) -> float:
     """The level at which water from a world place would begin to run out of the level or into the sea, m."""
     grid, ground = level.grid, level.height
-    row, col = (int(np.clip(round(v / grid.cell_m), 0, n - 1)) for v, n in zip((y, x), grid.shape, strict=True))
+    row, col = grid.nearest(x, y)
     out = np.zeros(ground.shape, bool)
     out[0], out[-1], out[:, 0], out[:, -1] = True, True, True, True
     out |= ground < level.mean_sea_m

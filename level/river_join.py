@@ -54,7 +54,7 @@ def _runs_to_sea(level: Level, river: River) -> bool:
 
 def _window(level: Level, layer: str, x: float, y: float, reach_m: float) -> np.ndarray:
     grid, reach = level.grid, int(np.ceil(reach_m / level.grid.cell_m))
-    row, col = (int(np.clip(round(v / grid.cell_m), 0, n - 1)) for v, n in zip((y, x), grid.shape, strict=True))
+    row, col = grid.nearest(x, y)
     return level.layers[layer].read(grid.clip(Rect(row - reach, col - reach, row + reach + 1, col + reach + 1)))
 
 
