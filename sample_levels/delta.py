@@ -13,7 +13,7 @@ from rock_ops import bare_rock, cliffs, ribs
 from scipy import ndimage
 from scipy.interpolate import PchipInterpolator
 from scipy.spatial import cKDTree
-from shorewright.level.objects import River
+from shorewright.level.objects import River, WaveObject
 from shorewright.level.river_line import Line, centre_line
 from terrain_ops import Curve, crumble, points
 
@@ -68,6 +68,17 @@ def river(name: str, knots: np.ndarray) -> River:
 
 def rivers() -> list[River]:
     return [river("river", MAIN), river("river-arm", ARM)]
+
+
+def wave_objects() -> list[WaveObject]:
+    """Any water, any size (H32): rings that run out from the fall's foot, and a spring that bubbles up."""
+    fall = WaveObject(
+        id="fall-rings", x=330.5, y=553.0, radius_m=11, amplitude_m=0.09, length_m=1.7, ring=True, falloff=0.9
+    )
+    spring = WaveObject(
+        id="spring-boil", x=402.0, y=607.5, radius_m=5, amplitude_m=0.07, length_m=1.3, ring=True, inverted=True
+    )
+    return [fall, spring]
 
 
 def by_line(knots: np.ndarray, line: Line, column: int) -> np.ndarray:

@@ -74,8 +74,8 @@ ISLAND_SETTINGS = {
 DELTA_CAMERAS = [
     Camera(id="play", x=316, y=166, z=56, yaw_deg=245, pitch_deg=-55, fov_deg=48),
     Camera(id="beach", x=238, y=121, z=2.2, yaw_deg=28, pitch_deg=3, fov_deg=50),
-    Camera(id="survey", x=472, y=742, z=300, yaw_deg=205, pitch_deg=-34, fov_deg=58),
-    Camera(id="valley", x=420, y=560, z=250, yaw_deg=206, pitch_deg=-38, fov_deg=50),
+    Camera(id="survey", x=470, y=690, z=150, yaw_deg=208, pitch_deg=-20, fov_deg=52),
+    Camera(id="coast", x=400, y=-60, z=120, yaw_deg=345, pitch_deg=-18, fov_deg=50),
     Camera(id="spring", x=390, y=588, z=28, yaw_deg=33, pitch_deg=-15, fov_deg=48),
     Camera(id="fall", x=308, y=538, z=23.5, yaw_deg=58, pitch_deg=-11, fov_deg=48),
     Camera(id="lake", x=232, y=485, z=25, yaw_deg=40, pitch_deg=-12, fov_deg=55),
@@ -87,15 +87,18 @@ DELTA_SETTINGS = {
     "level.seed": SEED + 9,
     "shore.interval_s": 8.0,
     "shore.plunge": 1.0,
-    "shore.height_m": 1.0,
+    "shore.height_m": 0.7,
+    "shore.range_m": 3.0,
     "shore.variety": 0.6,
     "shore.runup_variety": 0.45,
     "shore.stagger": 0.3,
     "sea.swell_heading_deg": 8.0,
-    "light.sun_elevation_deg": 46.0,
+    "light.sun_azimuth_deg": 262.0,
+    "light.sun_elevation_deg": 40.0,
     "light.exposure_ev": 13.8,
     "clouds.on": True,
-    "weather.coverage": 0.34,
+    "weather.coverage": 0.28,
+    "weather.north_m": 2500.0,
     "weather.type": 1.0,
     "ground.rock_slope_deg": 40.0,
     "ground.grass_slope_deg": 36.0,
@@ -142,7 +145,7 @@ def make_delta(seed: int = SEED + 9) -> Level:
     ground, maps = delta.height(seed)
     level = build(ground, DELTA_SETTINGS, DELTA_CAMERAS)
     delta_paint.paint(level, maps, seed + 100)
-    for thing in delta.rivers():
+    for thing in [*delta.rivers(), *delta.wave_objects()]:
         level.put_object(thing.id, thing)
     return level
 

@@ -14,7 +14,7 @@ from shorewright.renderer import VIEWS
 CREEK = "392,404,24,22,-20"
 RAPIDS = "222,495,18.6,229,-16"
 OXBOW = "160,214,13,50,-22"
-COURSE = ("survey", "valley", "spring", "fall", "lake", "rapids", "oxbow", "mouth", "play", "beach")
+COURSE = ("survey", "coast", "spring", "fall", "lake", "rapids", "oxbow", "mouth", "play", "beach")
 # The talk's break-down of one river, in its order; a view that isn't built is told and left out
 BREAKDOWN = (
     "river_raw_flow", "river_curl", "river_flow_sum", "river_stagnant", "river_turbulent", "river_masked", "flow_speed",
