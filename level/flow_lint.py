@@ -15,6 +15,7 @@ from .flow import current
 from .flow_bytes import NEUTRAL, coded, flow_bytes
 from .level import Level
 from .projection import divergence
+from .river_map import river_shape
 
 MOST = 12  # places of a kind
 RANGE_MPS = 2.0  # what an 8-bit map holds either way that paint may come from, unless told otherwise
@@ -50,7 +51,7 @@ def flow_faults(level: Level, range_mps: float | None = None) -> list[FlowFault]
     if painted.neutral:
         return [*_exported(level, range_mps)]
     flow = np.ascontiguousarray(painted.array)
-    wet = _wet(level)
+    wet = wet_cells(level)
     drift = _drift(level, flow, range_mps or RANGE_MPS)
     if drift:  # of it the other kinds would find faults everywhere
         return drift
@@ -82,10 +83,16 @@ def _exported(level: Level, range_mps: float | None) -> Iterator[FlowFault]:
     yield _fault(level, "drift", row * stride, col * stride, float(np.hypot(*flow[row, col])), "m/s", count, told)
 
 
-def _wet(level: Level) -> np.ndarray:
+def wet_cells(level: Level) -> np.ndarray:
+    """Where water stands at mean sea level, in the sea, rivers or lakes: bool `(rows, cols)`."""
     wet = level.height < level.mean_sea_m
-    mask, surface = (level.layers[name] for name in ("river_mask", "river_surface"))
-    return wet if mask.neutral else wet | ((mask.array >= 0.5) & (surface.array > level.height))
+    shape = river_shape(level)
+    if shape is None:
+        return wet
+    stride = round(shape.cell_m / level.grid.cell_m)
+    rows, cols = (np.minimum(np.arange(n) // stride, m - 1) for n, m in zip(wet.shape, shape.wet.shape, strict=True))
+    near = np.ix_(rows, cols)
+    return wet | (shape.wet[near] & (level.mean_sea_m + shape.packed[..., 0][near] > level.height))
 
 
 def _drift(level: Level, flow: np.ndarray, range_mps: float) -> list[FlowFault]:

@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 from cove import RIVER, SHORE, SURFACE
 from noise_ops import fbm, smoothstep, warp, worley
+from scipy import ndimage
 from scipy.interpolate import PchipInterpolator
 from shorewright.level import Level, Rect
 from shorewright.level.layers import WEATHER_GRID
 from shorewright.level.objects import River
+from shorewright.level.projection import divergence_free
 from terrain_ops import Curve
 
 MOUTH = Rect(360, 470, 508, 640)  # beach and river mouth: what `play` shows, and a margin
@@ -83,8 +85,8 @@ def river(level: Level, near: dict, x, y, seed: int) -> None:
     speed = mask * np.minimum(0.55 + 16 * fall, 1.9) * smoothstep(0.0, 0.5, depth)
     jet = smoothstep(16, 3, np.abs(aside)) * smoothstep(-20, 0, past) * smoothstep(58, 15, past)
     along = np.stack([near["river_east"], near["river_north"]], axis=-1)
-    drift = shore_drift(near, past)
-    level.write("flow", VALLEY, along * (0.3 * speed + 0.2 * jet * (1 - mask))[..., None] + drift)
+    flow = along * (0.3 * speed + 0.2 * jet * (1 - mask))[..., None] + shore_drift(near, past)
+    level.write("flow", VALLEY, coherent(flow, (depth > 0) & (mask >= 0.5) | (ground < 0)))
     calm = mask * smoothstep(0.55, 0.1, depth) * smoothstep(-0.1, 0.4, fbm(x, y, 13, 3, seed + 1))
     rough = mask * smoothstep(0.012, 0.035, fall) * (0.6 + 0.4 * fbm(x, y, 5, 3, seed + 2))
     level.write("river_foam", VALLEY, np.clip(np.stack([0.8 * calm, rough], axis=-1), 0, 1))
@@ -95,6 +97,16 @@ def shore_drift(near: dict, past: np.ndarray) -> np.ndarray:
     belt = smoothstep(6, -6, near["inland"]) * smoothstep(-62, -30, near["inland"])
     belt = belt * smoothstep(10, 32, np.abs(near["river_m"]))
     return 0.42 * belt[..., None] * np.stack([near["shore_east"], near["shore_north"]], axis=-1)
+
+
+def coherent(flow: np.ndarray, wet: np.ndarray) -> np.ndarray:
+    """`flow` without sources and sinks but where it fades out at sea, and none on land."""
+    painted = ndimage.binary_dilation(np.abs(flow).max(-1) > 0.002, iterations=3)
+    painted &= np.pad(np.ones(np.subtract(painted.shape, 4), bool), 2)  # still at the rim
+    inside = ndimage.distance_transform_edt(wet & painted)
+    fade = np.clip(inside / 8, 0, 1)[..., None]  # nothing starts or ends at once
+    east, north = divergence_free(wet, *np.moveaxis(flow * fade, -1, 0), 1.0, painted)
+    return np.round(np.stack([east, north], axis=-1) * 512) / 512
 
 
 def beach(level: Level, near: dict, x, y, seed: int) -> None:

@@ -1,16 +1,20 @@
 """Faults of a painted flow and arrows of the current (T02)."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
 from shorewright.app.cli import main
-from shorewright.io import write_level
+from shorewright.io import read_level, write_level
 from shorewright.level import Grid, Level
 from shorewright.level.flow_arrows import flow_arrows
 from shorewright.level.flow_lint import flow_faults
 from shorewright.level.objects import Camera, FlowPoint
 from shorewright.renderer import Overlays, render
+from test_rivers import coast
+
+SAMPLES = Path(__file__).parents[1] / "sample_levels"
 
 
 def basin(side=64):
@@ -41,6 +45,25 @@ def test_nothing_painted_and_nothing_wrong():
     """A whirl of 8 cells of radius keeps its water: divergence of its samples is small."""
     assert kinds(basin()) == []
     assert kinds(painted(turning())) == []
+
+
+def test_water_of_a_line_is_water():
+    """D13: paint that runs across a river into its bank is told; down the river it is not."""
+    level = coast()
+    flow = np.zeros((*level.grid.shape, 2), np.float32)
+    flow[100:140, 60, 1] = -0.5
+    level.write("flow", level.grid.rect, flow)
+    assert "ashore" not in kinds(level)
+    flow[100:140, 58:66] = (0.5, 0.0)
+    level.write("flow", level.grid.rect, flow)
+    assert "ashore" in kinds(level)
+    level.put_object("river", None)
+    assert "ashore" not in kinds(level)  # dry ground
+
+
+@pytest.mark.parametrize("name", ["cove", "delta"])
+def test_sample_levels_have_no_faults(name):
+    assert flow_faults(read_level(SAMPLES / f"{name}.shore")) == []
 
 
 @pytest.mark.parametrize("step", [0.5 / 127.5, -0.5 / 127.5, 1 / 127])
