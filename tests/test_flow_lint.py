@@ -51,10 +51,10 @@ def test_water_of_a_line_is_water():
     """D13: paint that runs across a river into its bank is told; down the river it is not."""
     level = coast()
     flow = np.zeros((*level.grid.shape, 2), np.float32)
-    flow[100:140, 60, 1] = -0.5
+    flow[120:140, 60, 1] = -0.5
     level.write("flow", level.grid.rect, flow)
     assert "ashore" not in kinds(level)
-    flow[100:140, 58:66] = (0.5, 0.0)
+    flow[120:140, 58:66] = (0.5, 0.0)
     level.write("flow", level.grid.rect, flow)
     assert "ashore" in kinds(level)
     level.put_object("river", None)
