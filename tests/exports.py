@@ -6,6 +6,7 @@ import json
 import numpy as np
 from shorewright.level import Grid, Level
 
+GROUND = ["height", "flow"]  # maps of an export that is small
 MANIFEST = "bay.shorewright.json"  # of an export named bay
 
 

@@ -98,7 +98,7 @@ def test_sidecar_that_unreal_would_read_is_found(unreal):
         ("", "JSON"),
         ("[1, 2]", "schema"),
         ('{"schema": "other"}', "schema"),
-        ('{"schema": "shorewright.export", "schema_version": 2}', "version 2"),
+        ('{"schema": "shorewright.export", "schema_version": 3}', "version 3"),
         ("[" * 100_000, "JSON"),
         ('{"a": NaN}', "JSON"),
         ("\x00\xff", "JSON"),

@@ -6,7 +6,7 @@ import sys
 
 import numpy as np
 import pytest
-from exports import read_manifest, rough_level, snapshot
+from exports import GROUND, read_manifest, rough_level, snapshot
 from shorewright.io import export as export_function
 from shorewright.io.export import EXPORTERS, check, export, file_stem
 from shorewright.level import BadInput, Grid, Level, Rect
@@ -20,14 +20,14 @@ def test_manifest_answers_every_question(tmp_path):
     level = rough_level(40, sea_m=1.5)
     level.georeference = {"crs": "EPSG:32604"}
     level.set("level.seed", 99)
-    export(level, "unreal", tmp_path / "out", name="cove.shore")
+    export(level, "unreal", tmp_path / "out", only=GROUND, name="cove.shore")
     path = tmp_path / "out" / "cove.shorewright.json"
     manifest = json.loads(path.read_text("utf-8"))
-    record, _ = manifest["files"]
+    record = manifest["files"][0]
     assert sorted(p.name for p in (tmp_path / "out").iterdir()) == [
         "cove.shorewright.json", "cove_flow.png", "cove_height.r16",
     ]  # fmt: skip
-    assert manifest["schema_version"] == 1
+    assert manifest["schema_version"] == 2
     assert manifest["tool"]["version"]
     assert manifest["source"]["georeference"] == {"crs": "EPSG:32604"}
     assert manifest["world"] | {"origin": "", "axes": ""} == {
@@ -114,7 +114,7 @@ def test_source_hash_survives_saving(tmp_path):
 def test_file_names_are_safe_everywhere(tmp_path, name, stem):
     """`4033x4033` is a tile index to Unreal; separators and drive letters lead out of the folder."""
     assert file_stem(name) == stem
-    paths = export(rough_level(4), "unreal", tmp_path / "out", name=name)
+    paths = export(rough_level(4), "unreal", tmp_path / "out", only=GROUND, name=name)
     assert [path.name for path in paths] == [f"{stem}_height.r16", f"{stem}_flow.png", f"{stem}.shorewright.json"]
     assert all(path.parent == tmp_path / "out" and path.is_file() for path in paths)
     assert check(tmp_path / "out") == []
@@ -127,8 +127,8 @@ def test_unknown_target_and_map_are_refused_with_the_list(tmp_path):
     level = rough_level(4)
     with pytest.raises(BadInput, match=r"'unity'.*unreal, raw"):
         export(level, "unity", tmp_path / "out")
-    with pytest.raises(BadInput, match=r"'foam'.*height, mesh, layers"):
-        export(level, "raw", tmp_path / "out", only=["height", "foam"])
+    with pytest.raises(BadInput, match=r"'sand'.*height, mesh, layers"):
+        export(level, "raw", tmp_path / "out", only=["height", "sand"])
     with pytest.raises(BadInput, match="nothing"):
         export(level, "raw", tmp_path / "out", only=[])
     assert not (tmp_path / "out").exists()

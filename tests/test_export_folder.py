@@ -7,7 +7,7 @@ import shutil
 from pathlib import Path
 
 import pytest
-from exports import read_manifest, rough_level, snapshot
+from exports import GROUND, read_manifest, rough_level, snapshot
 from shorewright.io.export import check, export, unreal
 from shorewright.level import BadInput
 
@@ -91,7 +91,7 @@ def test_failed_move_puts_the_old_export_back(tmp_path, monkeypatch, failing):
 def test_killed_while_replacing_is_found_and_repaired(tmp_path, monkeypatch, killed_after):
     """What a killed program leaves is never taken for a whole export, and the next export puts it right."""
     out, rename, moves = tmp_path / "out", Path.rename, []
-    export(rough_level(20), "unreal", out, name="bay")
+    export(rough_level(20), "unreal", out, GROUND, name="bay")
 
     def until_killed(self, target):
         moves.append(target)
@@ -101,7 +101,7 @@ def test_killed_while_replacing_is_found_and_repaired(tmp_path, monkeypatch, kil
     with monkeypatch.context() as patch:  # the moves after the kill don't happen, and nobody tidies up
         patch.setattr(Path, "rename", until_killed)
         patch.setattr(shutil, "rmtree", lambda *_, **__: None)
-        export(rough_level(20, seed=2), "unreal", out, name="bay")
+        export(rough_level(20, seed=2), "unreal", out, GROUND, name="bay")
     assert (check(out) == []) == (killed_after in (0, 6))
     export(rough_level(20, seed=3), "unreal", out, name="bay")
     assert check(out) == []
@@ -112,7 +112,7 @@ def test_working_directory_stays_the_same_folder(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     for seed in (1, 2):
         inode = tmp_path.stat().st_ino
-        export(rough_level(8, seed=seed), "unreal", ".", name="bay")
+        export(rough_level(8, seed=seed), "unreal", ".", GROUND, name="bay")
         assert tmp_path.stat().st_ino == inode
         assert sorted(os.listdir()) == ["bay.shorewright.json", "bay_flow.png", "bay_height.r16"]
 

@@ -18,7 +18,8 @@ def raw(tmp_path):
     level.write("flow", Rect(0, 0, 5, 5), np.array([1.5, -2.5]))
     level.write("ice", Rect(20, 25, 23, 31), 1.0)
     level.write("weather", Rect(0, 0, 4, 4), 1.0)
-    export(level, "raw", tmp_path / "out", name="bay")
+    own = ["height", "mesh", "layers", "weather", "flow"]
+    export(level, "raw", tmp_path / "out", own, name="bay")
     manifest = json.loads((tmp_path / "out" / "bay.shorewright.json").read_text("utf-8"))
     return level, tmp_path / "out", manifest, {file["name"].split(".")[-1]: file for file in manifest["files"]}
 
@@ -48,9 +49,9 @@ def test_sixteen_bits_decode_to_the_ground(raw):
     low, high = record["decode"]["numbers"]["min_m"], record["decode"]["numbers"]["max_m"]
     assert (low, high) == (world["height_min_m"], world["height_max_m"]) == (level.height.min(), level.height.max())
     off = 100 * np.abs(words / 65535 * (high - low) + low - level.height[::-1]).max()
-    assert record["max_error_cm"] == pytest.approx(off, abs=1e-9)
-    assert 0 < off <= record["quantisation_step_cm"] / 2 + 1e-9
-    assert record["quantisation_step_cm"] == pytest.approx(100 * (high - low) / 65535)
+    assert record["max_error"] == pytest.approx(off, abs=1e-9)
+    assert 0 < off <= record["step"] / 2 + 1e-9
+    assert record["step"] == pytest.approx(100 * (high - low) / 65535)
 
 
 def test_float_map_is_the_ground_itself(raw):
@@ -63,7 +64,7 @@ def test_float_map_is_the_ground_itself(raw):
     assert (tuple(spec.channelnames), str(spec.format), spec.getattribute("compression")) == (("Y",), "float", "zip")
     assert np.array_equal(image.read_image("float")[..., 0], level.height[::-1])
     image.close()
-    assert files["exr"]["max_error_cm"] == 0
+    assert files["exr"]["max_error"] == 0
 
 
 def test_glb_stands_on_the_ground_north_is_minus_z(raw):
@@ -78,7 +79,7 @@ def test_glb_stands_on_the_ground_north_is_minus_z(raw):
     np.testing.assert_array_equal(vertices[..., 2], -north)
     assert len(mesh.faces) == 2 * 22 * 30 == files["glb"]["mesh"]["triangles"]
     assert (mesh.face_normals[:, 1] > 0).all()  # counter-clockwise from above
-    assert files["glb"]["max_error_cm"] == 0
+    assert files["glb"]["max_error"] == 0
     assert files["glb"]["mesh"]["surface_error_cm"] == 0
 
 
@@ -211,6 +212,6 @@ def test_a_real_coast_goes_through_both_targets(tmp_path, data_dir):
         *_, path = export(level, target, tmp_path / target, name="pyramid_rock.shore")
         assert check(tmp_path / target) == []
         for file in json.loads(path.read_text("utf-8"))["files"]:
-            assert file["max_error_cm"] <= (file["quantisation_step_cm"] or 0) / 2 + 1e-9
-            assert file["max_error_cm"] < (1.0 if file["map"] == "flow" else 0.05)  # cm/s
+            assert file["max_error"] <= (file["step"] or 0) / 2 + 1e-9
+            assert file["max_error"] < (1.0 if file["map"] == "flow" else 0.05)  # cm/s
             assert file["mesh"] is None or file["mesh"]["triangles"] <= meshes.TRIANGLE_BUDGET

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from exports import read_manifest, rough_level
+from exports import GROUND, read_manifest, rough_level
 from shorewright.io.export import check, export, maps, unreal
 from shorewright.level import BadInput, Grid, Level, Rect
 
@@ -48,7 +48,7 @@ def test_landscape_sizes_follow_epics_formula(size):
 def test_unreal_decodes_to_the_ground(tmp_path, samples, size):
     """The words, decoded by the published formula, are the level's own samples, on any size."""
     level = rough_level(samples, cell_m=2.5)
-    export(level, "unreal", tmp_path / "out", name="coast")
+    export(level, "unreal", tmp_path / "out", GROUND, name="coast")
     manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
     assert cm.shape == (size, size)
     assert manifest["engine"]["scale_x"] == manifest["engine"]["scale_y"] == pytest.approx(250)
@@ -57,8 +57,8 @@ def test_unreal_decodes_to_the_ground(tmp_path, samples, size):
     off = np.abs(cm - 100 * level.height[::-1].astype(float)[np.ix_(at, at)]).max()
     record, _ = manifest["files"]
     step = manifest["engine"]["scale_z"] / 128
-    assert record["quantisation_step_cm"] == pytest.approx(step, rel=1e-12)
-    assert record["max_error_cm"] == pytest.approx(off, abs=1e-6)
+    assert record["step"] == pytest.approx(step, rel=1e-12)
+    assert record["max_error"] == pytest.approx(off, abs=1e-6)
     assert 0 < off <= step / 2 + 1e-6
 
 

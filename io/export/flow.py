@@ -47,8 +47,9 @@ def write_flow(job: Job, formula: str) -> tuple[FileRecord, list[FlowProbe]] | N
         row_0="north",
         channels=_channels(),
         decode=Decode(formula=formula, numbers=_numbers(coded)),
-        quantisation_step_cm=100 * coded.step_mps,
-        max_error_cm=100 * float(off.max()),
+        step=100 * coded.step_mps,
+        max_error=100 * float(off.max()),
+        error_unit="cm/s",
     )
     return record, _probes(truth, coded)
 

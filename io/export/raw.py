@@ -10,9 +10,10 @@ from pathlib import Path
 
 import numpy as np
 
-from . import flow, maps, meshes
+from . import flow, map_rows, maps, meshes
 from .job import Job
 from .manifest import describe, describe_file
+from .map_files import MapStyle, map_line, write_maps
 from .records import Channel, Decode, FileRecord, Manifest, Mesh, Probe
 
 MAPS = (
@@ -21,6 +22,7 @@ MAPS = (
     ("layers", "The ground and every other written layer as a VTK image (.vti), for analysis."),
     ("weather", "The painted sky with its weights, six channels of float in a TIFF; only where something is painted."),
     flow.MAP,
+    *map_rows.told(),
 )
 DOCS = dict(MAPS)
 R16_FORMULA = "height_m = v / 65535 * (max_m - min_m) + min_m"
@@ -44,11 +46,14 @@ def export(job: Job) -> Manifest:
     current = flow.write_flow(job, flow.FORMULA) if "flow" in job.maps else None
     if current:
         files.append(current[0])
+    pictures, map_probes = write_maps(job, MapStyle())
+    files += pictures
     return Manifest(
         target="raw",
         files=files,
         probes=_probes(job),
         flow_probes=current[1] if current else [],
+        map_probes=map_probes,
         import_recipe=_recipe(job, files),
         **describe(
             level,
@@ -91,8 +96,8 @@ def _r16(job: Job) -> FileRecord:
         row_0="north",
         channels=_height_channel(),
         decode=Decode(formula=R16_FORMULA, numbers={"min_m": low, "max_m": high}),
-        quantisation_step_cm=100 * step,
-        max_error_cm=100 * error_m,
+        step=100 * step,
+        max_error=100 * error_m,
     )
 
 
@@ -111,7 +116,7 @@ def _exr(job: Job) -> FileRecord:
         row_0="north",
         channels=[Channel(name="Y", meaning="height of the ground above the level's zero", unit="m")],
         decode=Decode(formula=METRES),
-        max_error_cm=100 * maps.largest_difference(maps.row_blocks(back[..., 0]), maps.row_blocks(height)),
+        max_error=100 * maps.largest_difference(maps.row_blocks(back[..., 0]), maps.row_blocks(height)),
     )
 
 
@@ -137,7 +142,7 @@ def _glb(job: Job) -> FileRecord:
             Channel(name="TEXCOORD_0", meaning="u east, v from the north edge to the south edge", unit=""),
         ],
         decode=Decode(formula=GLB_FORMULA),
-        max_error_cm=100 * float(np.abs(positions[:, 1] - wanted).max()),
+        max_error=100 * float(np.abs(positions[:, 1] - wanted).max()),
         mesh=Mesh(
             vertices=len(positions),
             triangles=len(faces),
@@ -169,7 +174,7 @@ def _vti(job: Job) -> FileRecord:
         row_0="south",
         channels=channels,
         decode=Decode(formula=METRES),
-        max_error_cm=100 * maps.largest_difference(maps.row_blocks(back), maps.row_blocks(level.height)),
+        max_error=100 * maps.largest_difference(maps.row_blocks(back), maps.row_blocks(level.height)),
     )
 
 
@@ -196,7 +201,7 @@ def _weather(job: Job) -> FileRecord:
         row_0="north",
         channels=channels,
         decode=Decode(formula=SKY),
-        max_error_cm=100 * float(np.abs(read_image(path) - samples).max()),
+        max_error=100 * float(np.abs(read_image(path) - samples).max()),
     )
 
 
@@ -225,8 +230,10 @@ def _recipe(job: Job, files: list[FileRecord]) -> list[str]:
         ".vti": f"{grid.cols} x {grid.rows} points, south row first, for ParaView or pyvista.read",
         ".tif": _sky_line(job),
     }
-    told = [f"{file.name}: {lines[Path(file.name).suffix]}" for file in files if file.map != "flow"]
+    own = [file for file in files if file.map not in {"flow", *map_rows.MAPS}]
+    told = [f"{file.name}: {lines[Path(file.name).suffix]}" for file in own]
     told += [line for file in files if file.map == "flow" for line in flow.recipe(file)]
+    told += [map_line(file) for file in files if file.map in map_rows.MAPS]
     return [*told, f"One sample every {grid.cell_m:g} m; the sea lies at height {job.level.sea_level_m:g} m."]
 
 

@@ -10,7 +10,7 @@ from ... import __version__
 from ...level.grid import MAX_SIDE
 
 SCHEMA = "shorewright.export"
-SCHEMA_VERSION = 1
+SCHEMA_VERSION = 2
 
 
 class Record(BaseModel):
@@ -114,9 +114,9 @@ class Mesh(Record):
 
 
 class FileRecord(Record):
-    """One file: `max_error_cm` is measured on the bytes written, decoded by `decode`, against the level.
+    """One file: `max_error` is measured on the bytes written, decoded by `decode`, against the level.
 
-    Of a current, error and step are cm/s.
+    It and `step`, the quantisation's, are in `error_unit`. Files that hold no samples have a width and height of 0.
     """
 
     name: str
@@ -127,14 +127,15 @@ class FileRecord(Record):
     width: int = Field(ge=0, le=MAX_SIDE)
     height: int = Field(ge=0, le=MAX_SIDE)
     bit_depth: int
-    sample_type: Literal["uint8", "uint16", "float32"]
+    sample_type: Literal["uint8", "uint16", "float32", "text"]
     endianness: Literal["little"] = "little"
     row_0: Literal["north", "south"] | None
     colour_space: Literal["linear"] = "linear"
     channels: list[Channel]
     decode: Decode
-    quantisation_step_cm: float | None = None
-    max_error_cm: float = Field(ge=0)
+    step: float | None = None
+    max_error: float = Field(ge=0)
+    error_unit: str = "cm"
     mesh: Mesh | None = None
 
 
@@ -159,6 +160,15 @@ class FlowProbe(Record):
     north_mps: float
 
 
+class MapProbe(Record):
+    """What one sample of a map of MAPS stands for, channel by channel, before it was coded."""
+
+    file: str
+    col: int
+    row: int
+    values: tuple[float, ...]
+
+
 class Manifest(Record):
     schema_name: Literal["shorewright.export"] = Field(SCHEMA, alias="schema")
     schema_version: int = SCHEMA_VERSION
@@ -172,6 +182,7 @@ class Manifest(Record):
     files: list[FileRecord]
     probes: list[Probe] = []
     flow_probes: list[FlowProbe] = []
+    map_probes: list[MapProbe] = []
     import_recipe: list[str]
     notes: list[str] = []
 

@@ -12,12 +12,13 @@ from typing import NamedTuple
 import numpy as np
 
 from ...level import BadInput
-from . import flow, maps
+from . import flow, map_rows, maps
 from .job import Job
 from .manifest import describe, describe_file
+from .map_files import MapStyle, map_line, write_maps
 from .records import Channel, Decode, FileRecord, LevelPart, Manifest, Probe, UnrealScale
 
-MAPS = (("height", "The ground, 16 bits, at the size Unreal recommends."), flow.MAP)
+MAPS = (("height", "The ground, 16 bits, at the size Unreal recommends."), flow.MAP, *map_rows.told())
 MID = 32768  # the value of z = 0, which is the sea
 HIGHEST = 256 - 1 / 128  # metres above, and 256 below, at ScaleZ 100
 FORMULA = "z_cm = (v - 32768) / 128 * ScaleZ + ActorZ"
@@ -113,12 +114,16 @@ def export(job: Job) -> Manifest:
     if current:
         files.append(current[0])
         recipe += flow.recipe(current[0])
+    pictures, map_probes = write_maps(job, MapStyle(south_positive=True))
+    files += pictures
+    recipe += [map_line(file) for file in pictures]
     return Manifest(
         target="unreal",
         engine=scale,
         files=files,
         probes=_probes(job, square),
         flow_probes=current[1] if current else [],
+        map_probes=map_probes,
         import_recipe=recipe,
         notes=_notes(scale),
         **describe(
@@ -180,8 +185,8 @@ def _record(job: Job, path, square: Square, scale: UnrealScale) -> FileRecord:
         row_0="north",
         channels=[Channel(name="height", meaning="height above the sea", unit="cm", neutral=MID)],
         decode=Decode(formula=FORMULA, numbers={"ScaleZ": scale.scale_z, "ActorZ": scale.actor_z_cm}),
-        quantisation_step_cm=scale.scale_z / 128,
-        max_error_cm=100 * error_m,
+        step=scale.scale_z / 128,
+        max_error=100 * error_m,
     )
 
 

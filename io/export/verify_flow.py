@@ -36,11 +36,11 @@ def _statements(manifest: Manifest, record: FileRecord, formula: str) -> Iterato
     if abs(numbers["row_0_y_m"] - (shape[0] - 1) * cell_m) > 1e-6 * cell_m:
         yield f"{record.name} is said to begin at y {numbers['row_0_y_m']} m"
     step_cm = 100 * numbers["range_mps"] / MOST
-    if record.quantisation_step_cm is None or abs(record.quantisation_step_cm - step_cm) > 1e-9 * step_cm:
-        yield f"{record.name} is said to have steps of {record.quantisation_step_cm} cm/s; they are {step_cm} cm/s"
+    if record.step is None or abs(record.step - step_cm) > 1e-9 * step_cm:
+        yield f"{record.name} is said to have steps of {record.step} cm/s; they are {step_cm} cm/s"
     lost_cm = 100 * max(numbers["fastest_mps"] - numbers["range_mps"], 0)
-    if record.max_error_cm > max(step_cm / 2, lost_cm) + 100 * SLACK_MPS:
-        yield f"{record.name} is said to be {record.max_error_cm} cm/s off, more than half a step and what is clipped"
+    if record.max_error > max(step_cm / 2, lost_cm) + 100 * SLACK_MPS:
+        yield f"{record.name} is said to be {record.max_error} cm/s off, more than half a step and what is clipped"
 
 
 def _bytes(manifest: Manifest, record: FileRecord, path: Path) -> Iterator[str]:
@@ -66,9 +66,9 @@ def _bytes(manifest: Manifest, record: FileRecord, path: Path) -> Iterator[str]:
     off = np.abs(flow - truth).max(-1)
     worst = int(off.argmax())
     drifting = flow.any(-1) & ~truth.any(-1)
-    if off[worst] > record.max_error_cm / 100 + SLACK_MPS or drifting.any():
+    if off[worst] > record.max_error / 100 + SLACK_MPS or drifting.any():
         at = probes[int(drifting.argmax()) if drifting.any() else worst]
         yield (
             f"{record.name} is {100 * off.max():.4f} cm/s off the current at column {at.col}, row {at.row}; "
-            + ("still water drifts there" if drifting.any() else f"the manifest promises {record.max_error_cm:.4f}")
+            + ("still water drifts there" if drifting.any() else f"the manifest promises {record.max_error:.4f}")
         )

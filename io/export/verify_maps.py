@@ -10,10 +10,12 @@ import numpy as np
 from ...level import LAYERS, BadInput
 from ...level.layers import WEATHER_GRID
 from . import flow, maps, meshes
+from .map_rows import MAPS
 from .raw import R16_FORMULA, decode_r16
 from .records import FileRecord, Manifest
 from .unreal import FORMULA, MID, decode_cm, smallest_scale_z, square_over
 from .verify_flow import check_flow
+from .verify_map_files import check_maps
 
 SLACK_CM = 1e-5  # float64 arithmetic on metres, not quantisation
 
@@ -24,8 +26,9 @@ def _near(value: float, wanted: float) -> bool:
 
 def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     """Findings about a landscape; `whole` are the listed files whose bytes are the ones written."""
-    by_suffix = {Path(record.name).suffix: record for record in manifest.files}
-    odd = not by_suffix or set(by_suffix) - {".r16", ".png"} or len(by_suffix) != len(manifest.files)
+    own = [record for record in manifest.files if record.map not in MAPS]
+    by_suffix = {Path(record.name).suffix: record for record in own}
+    odd = not manifest.files or set(by_suffix) - {".r16", ".png"} or len(by_suffix) != len(own)
     if manifest.engine is None or odd:
         return ["an Unreal export has one height map or current and says how to scale it; this manifest does not"]
     findings = [*_scale(manifest)]
@@ -33,7 +36,7 @@ def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
         findings += _landscape(manifest, by_suffix[".r16"], whole)
     if ".png" in by_suffix:
         findings += check_flow(manifest, by_suffix[".png"], whole, flow.UNREAL_FORMULA)
-    return findings
+    return findings + check_maps(manifest, whole)
 
 
 def _scale(manifest: Manifest) -> Iterator[str]:
@@ -78,11 +81,11 @@ def _landscape(manifest: Manifest, record: FileRecord, whole: dict[str, Path]) -
 
 def _step(record: FileRecord, step_cm: float) -> Iterator[str]:
     """The stated step is the format's, and rounding can be off by half of it at most."""
-    stated = record.quantisation_step_cm
+    stated = record.step
     if stated is None or abs(stated - step_cm) > 1e-9 * max(step_cm, 1):
         yield f"{record.name} is said to have steps of {stated} cm; they are {step_cm} cm"
-    if record.max_error_cm > step_cm / 2 + SLACK_CM:
-        yield f"{record.name} is said to be {record.max_error_cm} cm off, more than half a step of {step_cm} cm"
+    if record.max_error > step_cm / 2 + SLACK_CM:
+        yield f"{record.name} is said to be {record.max_error} cm off, more than half a step of {step_cm} cm"
 
 
 def _words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], height_m: Callable) -> Iterator[str]:
@@ -94,7 +97,7 @@ def _words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], heigh
     except ValueError as error:
         yield str(error)
         return
-    allowed_m = (record.max_error_cm + SLACK_CM) / 100
+    allowed_m = (record.max_error + SLACK_CM) / 100
     yield from _range(manifest, record, height_m(words.min()), height_m(words.max()), allowed_m)
     yield from _probes(manifest, record, lambda row, col: height_m(words[row, col]), allowed_m)
 
@@ -120,7 +123,7 @@ def _probes(manifest: Manifest, record: FileRecord, height_at: Callable, allowed
     if not worst <= allowed_m:
         yield (
             f"{record.name} is {100 * worst:.4f} cm off the level at column {probe.col}, row {probe.row}; "
-            f"the manifest promises {record.max_error_cm:.4f} cm"
+            f"the manifest promises {record.max_error:.4f} cm"
         )
 
 
@@ -131,9 +134,10 @@ def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     """Findings about raw files: each against the probes, the 16 bits and the mesh against the float map."""
     findings: list[str] = []
     ground: np.ndarray | None = None  # north first, metres, exact
-    by_suffix = {Path(record.name).suffix: record for record in manifest.files}
+    own = [record for record in manifest.files if record.map not in MAPS]
+    by_suffix = {Path(record.name).suffix: record for record in own}
     unknown = sorted(set(by_suffix) - {".r16", ".exr", ".vti", ".glb", ".tif", ".png"})
-    if unknown or len(by_suffix) != len(manifest.files):
+    if unknown or len(by_suffix) != len(own):
         findings.append("the manifest lists files that are no part of a raw export")
     for suffix, read in ((".exr", _read_exr), (".vti", _read_vti)):
         if suffix in by_suffix and by_suffix[suffix].name in whole:
@@ -148,7 +152,7 @@ def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
         findings += _sky(by_suffix[".tif"], whole)
     if ".png" in by_suffix:
         findings += check_flow(manifest, by_suffix[".png"], whole, flow.FORMULA)
-    return findings
+    return findings + check_maps(manifest, whole)
 
 
 def _sky(record: FileRecord, whole: dict[str, Path]) -> Iterator[str]:
@@ -190,7 +194,7 @@ def _exact(manifest: Manifest, record: FileRecord, whole: dict[str, Path], read:
         return [str(error)], None
     if values.shape != (source.rows, source.cols) or (record.height, record.width) != values.shape:
         return [f"{record.name} holds {values.shape[1]} × {values.shape[0]} samples, the level has another size"], None
-    allowed_m = (record.max_error_cm + SLACK_CM) / 100
+    allowed_m = (record.max_error + SLACK_CM) / 100
     found = [*_range(manifest, record, values.min(), values.max(), allowed_m)]
     return [*found, *_probes(manifest, record, lambda row, col: values[row, col], allowed_m)], values
 
@@ -212,8 +216,8 @@ def _raw_words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], g
     words = maps.open_u16(whole[record.name], record.height, record.width)
     blocks, truth = maps.row_blocks(words), maps.row_blocks(ground)
     error_cm = 100 * maps.largest_difference(blocks, truth, lambda values: decode_r16(values, low, high))
-    if abs(error_cm - record.max_error_cm) > SLACK_CM:
-        yield f"{record.name} is {error_cm:.6f} cm off the float map; the manifest says {record.max_error_cm:.6f} cm"
+    if abs(error_cm - record.max_error) > SLACK_CM:
+        yield f"{record.name} is {error_cm:.6f} cm off the float map; the manifest says {record.max_error:.6f} cm"
 
 
 def _mesh(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground) -> Iterator[str]:
@@ -243,5 +247,5 @@ def _mesh(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground
     row = np.clip(np.rint((north + positions[:, 2]) / cell), 0, ground.shape[0] - 1).astype(int)
     col = np.clip(np.rint(positions[:, 0] / cell), 0, ground.shape[1] - 1).astype(int)
     error_cm = 100 * float(np.abs(positions[:, 1] - ground[row, col]).max())
-    if not error_cm <= record.max_error_cm + SLACK_CM:
-        yield f"{record.name} is {error_cm:.4f} cm off the ground; the manifest promises {record.max_error_cm:.4f} cm"
+    if not error_cm <= record.max_error + SLACK_CM:
+        yield f"{record.name} is {error_cm:.4f} cm off the ground; the manifest promises {record.max_error:.4f} cm"

@@ -1,0 +1,88 @@
+"""Maps of MAPS in files (T09): coded, decoded, checked; parametrised over the rows, so that a new one is tested too."""
+
+import json
+
+import numpy as np
+import pytest
+from exports import MANIFEST, one, sign, slope_level
+from shorewright.io import check, export
+from shorewright.io.export.codes import CODES, decoded, encoded
+from shorewright.io.export.map_rows import MAPS
+from shorewright.io.images import read_image
+from shorewright.level import LAYERS
+
+
+@pytest.fixture(scope="module")
+def painted():
+    """A small coast with something in every layer, uneven."""
+    level = slope_level(33, 47)
+    rng = np.random.default_rng(5)
+    for name, row in LAYERS.items():
+        if name in ("height", "river_surface") or row.grid != "level":
+            continue
+        low, high = max(row.low, -1.0), min(row.high, 1.0)
+        shape = (*level.grid.shape, len(row.channels)) if len(row.channels) > 1 else level.grid.shape
+        level.write(name, level.grid.rect, rng.uniform(low, high, shape).astype(np.float32))
+    return level
+
+
+@pytest.fixture(scope="module", params=["raw", "unreal"])
+def written(request, painted, tmp_path_factory):
+    folder = tmp_path_factory.mktemp(request.param) / "out"
+    export(painted, request.param, folder, only=list(MAPS), name="bay")
+    return folder, {f["map"]: f for f in json.loads((folder / MANIFEST).read_text("utf-8"))["files"]}
+
+
+@pytest.mark.parametrize("name", MAPS)
+def test_every_map_decodes_to_the_level(painted, written, name):
+    """T09: decoded with the record's own numbers, north first, no farther off than half a step."""
+    folder, files = written
+    row, record = MAPS[name], files[name]
+    samples = row.make(painted)
+    numbers = record["decode"]["numbers"]
+    code = "float" if record["bit_depth"] == 32 else row.code
+    values = read_image(folder / record["name"])
+    found = decoded(values, code, numbers.get("low", 0), numbers.get("high", 0), record["bit_depth"])
+    truth = samples.values[::-1].astype(float)
+    if row.north is not None and "unreal" in str(folder):
+        truth[..., row.north] *= -1
+    off = np.abs(found[..., : truth.shape[-1]] - truth).max()
+    assert off == pytest.approx(record["max_error"], abs=1e-9)
+    assert off <= (record["step"] or 0) / 2 + 1e-6
+    assert check(folder) == []
+
+
+def test_same_level_same_bytes(painted, written, tmp_path):
+    folder, _ = written
+    target = "unreal" if "unreal" in str(folder) else "raw"
+    export(painted, target, tmp_path / "again", only=list(MAPS), name="bay")
+    for path in folder.iterdir():
+        assert (tmp_path / "again" / path.name).read_bytes() == path.read_bytes(), path.name
+
+
+def test_a_map_that_is_turned_is_found(painted, tmp_path):
+    """A picture of the right size, flipped, with all hashes made to fit."""
+    from shorewright.io.images import write_image
+
+    export(painted, "raw", tmp_path / "out", only="foam", name="bay")
+    path = tmp_path / "out" / "bay_foam.png"
+    write_image(path, np.ascontiguousarray(read_image(path)[::-1]), data=True)
+    sign(tmp_path / "out", lambda data: None)
+    one(check(tmp_path / "out"), "bay_foam.png")
+
+
+@pytest.mark.parametrize("edit", [{"max_error": 0.5}, {"step": 1.0}, {"width": 5}], ids=str)
+def test_false_statements_are_found(painted, tmp_path, edit):
+    export(painted, "raw", tmp_path / "out", only="snow", name="bay")
+    sign(tmp_path / "out", lambda data: data["files"][0].update(edit))
+    assert check(tmp_path / "out")
+
+
+@pytest.mark.parametrize("bits", [8, 16])
+@pytest.mark.parametrize("code", ["signed", "unsigned"])
+def test_codes_keep_their_ends_and_zero(code, bits):
+    low, high = (-3.0, 3.0) if code == "signed" else (0.0, 3.0)
+    values = np.array([low, 0.0, high])
+    found = decoded(encoded(values, code, low, high, bits), code, low, high, bits)
+    assert found == pytest.approx(values, abs=1e-12)
+    assert CODES[code].step(low, high, 2**bits - 1) > 0
