@@ -16,17 +16,18 @@ import numpy as np
 class Code:
     """`encode(values, low, high, top)` float → whole numbers as float, `decode` its opposite; `top` 255 or 65535.
 
+    `low` and `high` are arrays, one number a channel; `step` is what one whole number more stands for, by channel.
     `formula` says the same in a sentence for a shader's author; v is the whole number, a sampler gives v / top.
     """
 
     name: str
     formula: str
-    encode: Callable[[np.ndarray, float, float, int], np.ndarray]
-    decode: Callable[[np.ndarray, float, float, int], np.ndarray]
-    step: Callable[[float, float, int], float]
+    encode: Callable[[np.ndarray, np.ndarray, np.ndarray, int], np.ndarray]
+    decode: Callable[[np.ndarray, np.ndarray, np.ndarray, int], np.ndarray]
+    step: Callable[[np.ndarray, np.ndarray, int], np.ndarray]
 
 
-def _signed(values: np.ndarray, low: float, high: float, top: int) -> np.ndarray:
+def _signed(values: np.ndarray, low: np.ndarray, high: np.ndarray, top: int) -> np.ndarray:
     middle = (top + 1) // 2
     return middle + np.rint(values / high * (middle - 1))
 
@@ -36,14 +37,14 @@ CODES: dict[str, Code] = {
     for row in (
         Code(
             "unsigned",
-            "value = low + v / top * (high - low)",
+            "value = low + v / top * (high - low), low and high by channel",
             lambda x, low, high, top: np.rint((x - low) / (high - low) * top),
             lambda v, low, high, top: low + v / top * (high - low),
             lambda low, high, top: (high - low) / top,
         ),
         Code(
             "signed",
-            "value = (v - (top + 1) / 2) / ((top - 1) / 2) * high, exactly 0 in the middle",
+            "value = (v - (top + 1) / 2) / ((top - 1) / 2) * high, high by channel; exactly 0 in the middle",
             _signed,
             lambda v, low, high, top: (v - (top + 1) // 2) / ((top + 1) // 2 - 1) * high,
             lambda low, high, top: high / ((top + 1) // 2 - 1),
@@ -53,21 +54,21 @@ CODES: dict[str, Code] = {
             "value = v, float32",
             lambda x, low, high, top: x,
             lambda v, low, high, top: v,
-            lambda low, high, top: 0.0,
+            lambda low, high, top: 0.0 * high,
         ),
     )
 }
 
 
-def encoded(values: np.ndarray, code: str, low: float, high: float, bits: int) -> np.ndarray:
+def encoded(values: np.ndarray, code: str, low, high, bits: int) -> np.ndarray:
     """`values` as uint8, uint16 or float32 (`bits` 32); what is out of the range is held at its end."""
     if code == "float":
         return np.asarray(values, np.float32)
     top = 2**bits - 1
-    whole = CODES[code].encode(np.asarray(values, np.float64), low, high, top)
+    whole = CODES[code].encode(np.asarray(values, np.float64), np.asarray(low), np.asarray(high), top)
     return np.clip(whole, 1 if code == "signed" else 0, top).astype(np.uint8 if bits == 8 else np.uint16)
 
 
-def decoded(samples: np.ndarray, code: str, low: float, high: float, bits: int) -> np.ndarray:
+def decoded(samples: np.ndarray, code: str, low, high, bits: int) -> np.ndarray:
     """What samples stand for, float64."""
-    return CODES[code].decode(np.asarray(samples, np.float64), low, high, 2**bits - 1)
+    return CODES[code].decode(np.asarray(samples, np.float64), np.asarray(low), np.asarray(high), 2**bits - 1)

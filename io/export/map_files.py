@@ -14,7 +14,8 @@ import numpy as np
 from .codes import CODES, decoded, encoded
 from .job import Job
 from .manifest import describe_file
-from .map_rows import MAPS, MapRow, Samples
+from .map_makers import MapRow, Samples
+from .map_rows import MAPS
 from .records import Channel, Decode, FileRecord, MapProbe
 
 PROBES = 5  # a side
@@ -22,10 +23,13 @@ PROBES = 5  # a side
 
 @dataclass(frozen=True)
 class MapStyle:
-    """What a target's importer takes: 16-bit pictures or floats instead, and which way a map's north channel points."""
+    """What a target's importer takes: 16-bit pictures or floats instead; whether its second axis goes south (Unreal),
+    and whether its normal maps have green down.
+    """
 
     deep_png: bool = True
     south_positive: bool = False
+    green_down: bool = False
 
 
 def write_maps(job: Job, style: MapStyle) -> tuple[list[FileRecord], list[MapProbe]]:
@@ -41,33 +45,34 @@ def write_maps(job: Job, style: MapStyle) -> tuple[list[FileRecord], list[MapPro
 
 
 def write_map(job: Job, row: MapRow, samples: Samples, style: MapStyle) -> tuple[FileRecord, list[MapProbe]]:
-    """One map as `NAME_map.png` or `.exr`; its record's numbers are low, high, top, cell_m and row_0_y_m."""
+    """One map as `NAME_map.png` or `.exr`; its record's numbers are the code's top, cell_m, row_0_y_m and its own."""
     from ..images import read_image, write_image
 
-    values = _turned(row, samples.values, style)[::-1]
+    values = (samples.values * _signs(row, style))[::-1]
     bits = row.bits if row.code != "float" and (row.bits == 8 or style.deep_png) else 32
     code = row.code if bits < 32 else "float"
+    low, high = (np.broadcast_to(np.asarray(end, np.float64), values.shape[-1:]) for end in (samples.low, samples.high))
     path = job.folder / f"{job.name}_{row.name}.{'exr' if bits == 32 else 'png'}"
-    wide = _padded(encoded(values, code, samples.low, samples.high, bits))
-    write_image(path, wide, data=True)
-    back = decoded(read_image(path)[..., : values.shape[-1]], code, samples.low, samples.high, bits)
-    numbers = {"low": samples.low, "high": samples.high, "top": float(2**bits - 1)} if bits < 32 else {}
-    rows = values.shape[0]
-    numbers |= {"cell_m": samples.cell_m, "row_0_y_m": (rows - 1) * samples.cell_m}
+    write_image(path, _padded(encoded(values, code, low, high, bits)), data=True)
+    off = np.abs(decoded(read_image(path)[..., : values.shape[-1]], code, low, high, bits) - values).max(axis=(0, 1))
+    rows, cols, _ = values.shape
+    numbers = {"cell_m": samples.cell_m, "row_0_y_m": (rows - 1) * samples.cell_m, **samples.numbers}
+    channels = _channels(row, style, None if bits == 32 else (low, high), off)
+    alike = [c.max_error for c in channels if c.unit == channels[0].unit]
     record = describe_file(
         path,
         map=row.name,
         doc=row.doc,
-        width=values.shape[1],
+        width=cols,
         height=rows,
         bit_depth=bits,
         sample_type={8: "uint8", 16: "uint16", 32: "float32"}[bits],
         row_0="north",
-        channels=_channels(row, wide.shape[-1], style),
-        decode=Decode(formula=CODES[code].formula, numbers=numbers),
-        step=CODES[code].step(samples.low, samples.high, 2**bits - 1) if bits < 32 else None,
-        max_error=float(np.abs(back - values).max()),
-        error_unit=row.channels[0].unit,
+        channels=channels,
+        decode=Decode(formula=CODES[code].formula, numbers=numbers | ({"top": 2.0**bits - 1} if bits < 32 else {})),
+        step=float(CODES[code].step(low, high, 2**bits - 1)[0]) if bits < 32 else None,
+        max_error=max(alike),
+        error_unit=channels[0].unit,
     )
     return record, _probes(path, values)
 
@@ -75,20 +80,25 @@ def write_map(job: Job, row: MapRow, samples: Samples, style: MapStyle) -> tuple
 def map_line(record: FileRecord) -> str:
     """How a shader reads it, in one line."""
     numbers = record.decode.numbers
-    parts = ", ".join(f"{c.name} {c.meaning}" for c in record.channels)
-    span = f"; low {numbers['low']:g}, high {numbers['high']:g}, top {numbers['top']:g}" if "top" in numbers else ""
+    parts = ", ".join(
+        f"{c.name} {c.meaning}" + ("" if c.low is None else f" ({c.low:.6g} to {c.high:.6g} {c.unit}".rstrip() + ")")
+        for c in record.channels
+    )
+    more = {k: v for k, v in numbers.items() if k not in ("cell_m", "row_0_y_m")}
+    span = "".join(f"; {name} {value:g}" for name, value in more.items())
     return (
         f"{record.name}: {record.width} x {record.height}, a texel every {numbers['cell_m']:g} m, north row first, "
         f"{record.bit_depth} bits, linear (sRGB off), clamped; {parts}; {record.decode.formula}{span}"
     )
 
 
-def _turned(row: MapRow, values: np.ndarray, style: MapStyle) -> np.ndarray:
-    if row.north is None or not style.south_positive:
-        return values
-    sign = np.ones(values.shape[-1], np.float32)
-    sign[row.north] = -1
-    return values * sign
+def _signs(row: MapRow, style: MapStyle) -> np.ndarray:
+    """−1 for the channel that a target turns round."""
+    sign = np.ones(len(row.channels), np.float32)
+    for channel, turn in ((row.north, style.south_positive), (row.green, style.green_down)):
+        if channel is not None and turn:
+            sign[channel] = -1
+    return sign
 
 
 def _padded(values: np.ndarray) -> np.ndarray:
@@ -98,14 +108,17 @@ def _padded(values: np.ndarray) -> np.ndarray:
     return np.concatenate([values, np.zeros_like(values[..., :1])], axis=-1)
 
 
-def _channels(row: MapRow, wide: int, style: MapStyle) -> list[Channel]:
-    letters = "Y" if wide == 1 else "RGBA"
-    found = []
-    for index, (letter, channel) in enumerate(zip(letters, row.channels, strict=False)):
-        meaning = channel.meaning
-        if index == row.north and style.south_positive:
-            meaning = meaning.replace("north", "south")
-        found.append(channel.model_copy(update={"name": letter, "meaning": meaning}))
+def _channels(row: MapRow, style: MapStyle, ends: tuple | None, off: np.ndarray) -> list[Channel]:
+    """The row's channels by the names that they have in the file, with their range and error."""
+    letters = "Y" if len(row.channels) == 1 else "RGBA"
+    turned, found = _signs(row, style) < 0, []
+    for index, channel in enumerate(row.channels):
+        told = {"name": letters[index], "max_error": float(off[index])}
+        if turned[index]:
+            told["meaning"] = channel.meaning.replace("north", "south")
+        if ends:
+            told |= {"low": float(ends[0][index]), "high": float(ends[1][index])}
+        found.append(channel.model_copy(update=told))
     return found
 
 

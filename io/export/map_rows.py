@@ -1,90 +1,66 @@
 """MAPS: what a level has beside its ground that a game can read as a picture, one row each.
 
-A row makes its samples from the level (`make`; None where the level has nothing of it) and names the code for them; how
-they get into a file, for which target in which format, is map_files.py's.
+A row makes its samples from the level (map_makers.py; None where the level has nothing of it) and names the code for
+them; how they get into a file, for which target in which format, is map_files.py's.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
-
-import numpy as np
-
-from ...level import LAYERS, Level
+from . import map_makers as make
+from .map_makers import MapRow
 from .records import Channel
 
-
-@dataclass(frozen=True)
-class Samples:
-    """float32 `(rows, cols, channels)`, row 0 south, `cell_m` apart; an integer code reaches from `low` to `high`."""
-
-    values: np.ndarray
-    cell_m: float
-    low: float = 0.0
-    high: float = 1.0
-
-
-@dataclass(frozen=True)
-class MapRow:
-    """One map: `code` is one of CODES, `bits` those that it needs in a picture of whole numbers.
-
-    `north` is the channel that holds a component to the north, which targets with y down or green down turn round.
-    """
-
-    name: str
-    doc: str
-    channels: tuple[Channel, ...]
-    make: Callable[[Level], Samples | None]
-    code: str = "unsigned"
-    bits: int = 16
-    north: int | None = None
-
-
-def _painted(name: str) -> MapRow:
-    """The row of a painted layer on the level's grid."""
-    layer = LAYERS[name]
-
-    def make(level: Level) -> Samples | None:
-        data = level.layers[name]
-        if data.neutral:
-            return None
-        values = data.array.reshape(*level.grid.shape, -1)
-        return Samples(values, level.grid.cell_m, layer.low, layer.high)
-
-    channels = tuple(
-        Channel(name=c, meaning=f"{layer.label.lower()}: {c}", unit=layer.unit, neutral=0) for c in layer.channels
-    )
-    return MapRow(name, layer.doc, channels, make, "signed" if layer.low < 0 else "unsigned", 8)
-
-
-def _normals(level: Level) -> Samples:
-    north, east = np.gradient(level.height.astype(np.float32), level.grid.cell_m)
-    up = 1 / np.sqrt(1 + east * east + north * north)
-    return Samples(np.stack([-east * up, -north * up, up], axis=-1), level.grid.cell_m, -1.0, 1.0)
-
-
 MASKS = ("puddle_keepout", "shelter", "snow", "ice", "corruption", "yielding", "quiet", "mouth", "cover", "scatter")
+
+
+def _c(name: str, meaning: str, unit: str = "", neutral: float | None = None) -> Channel:
+    return Channel(name=name, meaning=meaning, unit=unit, neutral=neutral)
+
+
 MAPS: dict[str, MapRow] = {
     row.name: row
     for row in (
-        MapRow(
-            "normals",
-            "Normals of the ground, unit length.",
-            (
-                Channel(name="east", meaning="normal's part to the east", unit="", neutral=0),
-                Channel(name="north", meaning="normal's part to the north", unit="", neutral=0),
-                Channel(name="up", meaning="normal's part upwards", unit="", neutral=1),
-            ),
-            _normals,
-            "signed",
-            north=1,
-        ),
-        _painted("foam"),
-        _painted("river_foam"),
-        *(_painted(name) for name in MASKS),
+        MapRow("normals", "Normals of the ground, unit length.",
+               (_c("east", "normal's part to the east", "", 0), _c("north", "normal's part to the north", "", 0),
+                _c("up", "normal's part upwards", "", 1)),
+               make.normals, "signed", green=1),
+        MapRow("flow16", "The whole current in 16 bits: shore, points, rivers, jets, paint; exactly 0 where still.",
+               (_c("east", "current to the east", "m/s", 0), _c("north", "current to the north", "m/s", 0)),
+               make.flow, "signed", north=1),
+        make.painted("foam"),
+        MapRow("river", "Water that isn't the sea, rivers and lakes: its level over the level's zero, and where it is.",
+               (_c("level", "level of the water", "m"), _c("share", "1 in such water, 0 outside", "", 0)),
+               make.river),
+        make.painted("river_foam"),
+        MapRow("shore", "Shore map: R signed distance, G B the way to the shore, A height of the beach.",
+               (_c("distance", "metres to the shoreline, sea above 0, land below", "m"),
+                _c("east", "to the shore, its part to the east", "", 0),
+                _c("north", "to the shore, its part to the north", "", 0),
+                _c("beach", "beach over the still sea, 2 m either way", "m")),
+               make.shore, bits=8, north=2),
+        MapRow("arrival", "When a crest passes, by swell: seconds of the level's clock; −60000 where no wave stands. "
+               "Crest n passes at value + n × period_s.",
+               (_c("first", "arrival of the leading swell", "s"), _c("second", "arrival of the second swell", "s"),
+                _c("third", "arrival of the third swell", "s")),
+               make.arrivals, "float"),
+        MapRow("front_phase", "Where in its period the leading swell's front is at clock time 0; 1: there is none; "
+               "at t it is the fraction of value + t / period_s.",
+               (_c("phase", "share of the period since the crest passed", ""),),
+               make.front_phase),
+        MapRow("walkable", "Wading depth over a period of the waves, and up to which still sea one can walk there.",
+               (_c("least", "least depth over a period", "m", 0), _c("most", "greatest depth over a period", "m", 0),
+                _c("tide", "highest still sea at which one walks there; the low end: never", "m")),
+               make.walkable),
+        MapRow("weather_map", "The sky at clock time 0, simulated and painted: 70 km round the level's middle, tiling.",
+               (_c("coverage", "share of the sky under cloud"), _c("precipitation", "rain or snow"),
+                _c("type", "0 stratus, 1 cumulus")),
+               make.weather("ours"), bits=8),
+        MapRow("weather_hdrp", "The same for HDRP's cloud map: coverage, rain, and where in the cloud lookup table.",
+               (_c("coverage", "coverage"), _c("rain", "rain"), _c("type", "u of the cloud lookup table")),
+               make.weather("hdrp"), bits=8),
+        *(make.painted(name) for name in MASKS),
     )
-}
+}  # fmt: skip
 
 
 def told() -> tuple[tuple[str, str], ...]:

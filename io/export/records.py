@@ -94,10 +94,15 @@ class Waves(Record):
 
 
 class Channel(Record):
+    """One channel of a file; a map of MAPS has what its whole numbers reach to and how far off they were measured."""
+
     name: str
     meaning: str
     unit: str
     neutral: float | None = None
+    low: float | None = None
+    high: float | None = None
+    max_error: float | None = Field(None, ge=0)
 
 
 class Decode(Record):

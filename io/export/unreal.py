@@ -114,7 +114,7 @@ def export(job: Job) -> Manifest:
     if current:
         files.append(current[0])
         recipe += flow.recipe(current[0])
-    pictures, map_probes = write_maps(job, MapStyle(south_positive=True))
+    pictures, map_probes = write_maps(job, MapStyle(south_positive=True, green_down=True))
     files += pictures
     recipe += [map_line(file) for file in pictures]
     return Manifest(

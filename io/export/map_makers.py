@@ -1,0 +1,183 @@
+"""The samples of each map of MAPS, made from a level: float32, row 0 south, with the range that they are coded over."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ...level import LAYERS, Level
+from ...level.layers import WEATHER_GRID
+from .records import Channel
+
+NO_WAVE_S = -60_000.0  # a half float still holds it
+WALK_SIDE = 257  # samples a side at which the sea is asked over a period
+WALK_MOMENTS = 12
+SHALLOW_M, DEEP_M = 0.0, 4.0  # wading depths that are told apart
+STILL_MPS = 1e-4
+
+
+@dataclass(frozen=True)
+class Samples:
+    """float32 `(rows, cols, channels)`, row 0 south, `cell_m` apart; whole numbers reach from `low` to `high`.
+
+    Both are one number for all channels, or a tuple. `numbers` go into the record, beside the code's.
+    """
+
+    values: np.ndarray
+    cell_m: float
+    low: float | tuple[float, ...] = 0.0
+    high: float | tuple[float, ...] = 1.0
+    numbers: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class MapRow:
+    """One map: `code` is one of CODES, `bits` those that it needs in a picture of whole numbers.
+
+    `north` is the channel with a part to the north, which targets whose second axis goes south turn round; `green` that
+    of a normal map, turned for those that want green down.
+    """
+
+    name: str
+    doc: str
+    channels: tuple[Channel, ...]
+    make: Callable[[Level], Samples | None]
+    code: str = "unsigned"
+    bits: int = 16
+    north: int | None = None
+    green: int | None = None
+
+
+def painted(name: str) -> MapRow:
+    """The row of a painted layer on the level's grid."""
+    layer = LAYERS[name]
+
+    def make(level: Level) -> Samples | None:
+        data = level.layers[name]
+        if data.neutral:
+            return None
+        return Samples(data.array.reshape(*level.grid.shape, -1), level.grid.cell_m, layer.low, layer.high)
+
+    label = layer.label.lower()
+    channels = tuple(Channel(name=c, meaning=f"{label}: {c}", unit=layer.unit, neutral=0) for c in layer.channels)
+    return MapRow(name, layer.doc, channels, make, "signed" if layer.low < 0 else "unsigned", 8)
+
+
+def normals(level: Level) -> Samples:
+    north, east = np.gradient(level.height.astype(np.float32), level.grid.cell_m)
+    up = 1 / np.sqrt(1 + east * east + north * north)
+    return Samples(np.stack([-east * up, -north * up, up], axis=-1), level.grid.cell_m, -1.0, 1.0)
+
+
+def flow(level: Level) -> Samples | None:
+    from ...level.flow import current
+
+    made = current(level)
+    fastest = float(np.abs(made.packed[..., :2]).max())
+    if fastest < STILL_MPS:
+        return None
+    range_mps = 2.0 ** math.ceil(math.log2(fastest))
+    return Samples(made.packed[..., :2], made.cell_m, -range_mps, range_mps, {"range_mps": range_mps})
+
+
+def river(level: Level) -> Samples | None:
+    from ...level.river_map import river_shape
+
+    shape = river_shape(level)
+    if shape is None or not (wet := shape.packed[..., 1] > 0).any():
+        return None
+    level_m = shape.packed[..., 0] + level.mean_sea_m
+    low, high = float(level_m[wet].min()), float(level_m[wet].max())
+    high = max(high, low + 0.01)
+    values = np.stack([np.where(wet, level_m, low), shape.packed[..., 1]], axis=-1)
+    return Samples(values.astype(np.float32), shape.cell_m, (low, 0.0), (high, 1.0))
+
+
+def shore(level: Level) -> Samples | None:
+    """The field's own bytes, as the shaders of the editor read them: whole-number ends stand for half a step less."""
+    from ...level import shore_field as of
+
+    made = of.shore_field(level, now=True)
+    if not made.sea.any():
+        return None
+    red, alpha = (np.array([0.0, 255.0]) for _ in range(2))
+    distance, beach = of.decode_distance_m(red, made.range_m), of.decode_beach_m(alpha)
+    towards = of.decode_direction(np.array([0.0, 255.0]))
+    packed = made.packed
+    values = np.concatenate(
+        [
+            of.decode_distance_m(packed[..., :1], made.range_m),
+            of.decode_direction(packed[..., 1:3]),
+            of.decode_beach_m(packed[..., 3:]),
+        ],
+        axis=-1,
+    )
+    low, high = ((float(distance[i]), float(towards[i]), float(towards[i]), float(beach[i])) for i in (0, 1))
+    return Samples(values, made.cell_m, low, high, {"range_m": made.range_m})
+
+
+def arrivals(level: Level) -> Samples | None:
+    from ...level.timing import period_s, whole_maps
+
+    maps = whole_maps(level, 0.0)
+    maps.pop("front_speed")
+    values = np.full((*level.grid.shape, 3), NO_WAVE_S, np.float32)
+    for index, name in enumerate(list(maps)[:3]):
+        values[..., index] = np.nan_to_num(maps[name], nan=NO_WAVE_S)
+    if (values == NO_WAVE_S).all():
+        return None
+    return Samples(values, level.grid.cell_m, numbers={"period_s": float(period_s(level, 0.0))})
+
+
+def front_phase(level: Level) -> Samples | None:
+    made = arrivals(level)
+    if made is None:
+        return None
+    first, period = made.values[..., :1].astype(np.float64), made.numbers["period_s"]
+    phase = np.where(first == NO_WAVE_S, 1.0, np.mod(-first / period, 1.0))
+    return Samples(phase.astype(np.float32), made.cell_m, numbers=made.numbers)
+
+
+def walkable(level: Level) -> Samples | None:
+    """Depths on a coarser grid, for every sample is a sea of its own; the tide on the level's samples there."""
+    from ...level.timing import period_s
+    from ...level.walk import STEEP_M, highest_sea_m
+    from ...level.waves import sea_at
+
+    stride = max(1, -(-(max(level.grid.shape) - 1) // (WALK_SIDE - 1)))
+    ground = level.height[::stride, ::stride].astype(np.float64)
+    cell_m = stride * level.grid.cell_m
+    y, x = (np.arange(n) * cell_m for n in ground.shape)
+    x, y = np.meshgrid(x, y)
+    near = (ground < level.sea_level_m + DEEP_M) & (ground > level.sea_level_m - 3 * DEEP_M)
+    least, most = np.full(ground.shape, np.inf), np.full(ground.shape, -np.inf)
+    for t in np.arange(WALK_MOMENTS) / WALK_MOMENTS * period_s(level, 0.0):
+        if near.any():
+            depth = sea_at(level, float(t), x[near], y[near]).height_m - ground[near]
+            least[near], most[near] = np.minimum(least[near], depth), np.maximum(most[near], depth)
+    still = level.sea_level_m - ground
+    least, most = np.where(near, least, still), np.where(near, most, still)
+    highest = highest_sea_m(level, level.grid.rect)[::stride, ::stride]
+    low = min(float(highest[highest > STEEP_M].min(initial=0.0)) - 1.0, -1.0)
+    high = max(float(highest.max()), low + 1.0)
+    values = np.stack(
+        [np.clip(least, SHALLOW_M, DEEP_M), np.clip(most, SHALLOW_M, DEEP_M), np.maximum(highest, low)], -1
+    )
+    return Samples(values.astype(np.float32), cell_m, (SHALLOW_M, SHALLOW_M, low), (DEEP_M, DEEP_M, high))
+
+
+def weather(layout: str) -> Callable[[Level], Samples | None]:
+    """A maker of the sky in one of the layouts of weather_maps."""
+
+    def make(level: Level) -> Samples | None:
+        from ..weather_maps import layout_values
+
+        if not level.settings.clouds.on:
+            return None
+        sky, _ = layout_values(level, layout, "final" if layout == "hdrp" else "painted", 0.0)
+        return Samples(np.clip(sky[..., :3], 0, 1), WEATHER_GRID.cell_m)
+
+    return make
