@@ -58,7 +58,8 @@ def write_map(job: Job, row: MapRow, samples: Samples, style: MapStyle) -> tuple
     rows, cols, _ = values.shape
     numbers = {"cell_m": samples.cell_m, "row_0_y_m": (rows - 1) * samples.cell_m, **samples.numbers}
     channels = _channels(row, style, None if bits == 32 else (low, high), off)
-    alike = [c.max_error for c in channels if c.unit == channels[0].unit]
+    alike = [i for i, c in enumerate(channels) if c.unit == channels[0].unit]  # whose errors can be compared
+    steps = CODES[code].step(low, high, 2**bits - 1)
     record = describe_file(
         path,
         map=row.name,
@@ -70,8 +71,8 @@ def write_map(job: Job, row: MapRow, samples: Samples, style: MapStyle) -> tuple
         row_0="north",
         channels=channels,
         decode=Decode(formula=CODES[code].formula, numbers=numbers | ({"top": 2.0**bits - 1} if bits < 32 else {})),
-        step=float(CODES[code].step(low, high, 2**bits - 1)[0]) if bits < 32 else None,
-        max_error=max(alike),
+        step=float(steps[alike].max()) if bits < 32 else None,
+        max_error=float(off[alike].max()),
         error_unit=channels[0].unit,
     )
     return record, _probes(path, values)

@@ -38,10 +38,11 @@ def _check(manifest: Manifest, record: FileRecord, whole: dict[str, Path]) -> It
         yield f"{record.name} is said to reach from {low.min()} to {high.max()} in {numbers['top']} steps"
         return
     step, off = CODES[code].step(low, high, 2**bits - 1), np.array([c.max_error for c in channels])
-    if bits < 32 and (record.step is None or abs(record.step - step[0]) > 1e-9 * step[0]):
-        yield f"{record.name} is said to have steps of {record.step}; they are {step[0]}"
-    alike = max(c.max_error for c in channels if c.unit == channels[0].unit)
-    if record.max_error != alike or (off > step / 2 + SLACK * np.maximum(np.abs(high), 1)).any():
+    alike = [i for i, c in enumerate(channels) if c.unit == channels[0].unit]
+    largest = float(step[alike].max())
+    if bits < 32 and (record.step is None or abs(record.step - largest) > 1e-9 * largest):
+        yield f"{record.name} is said to have steps of {record.step}; they are {largest}"
+    if record.max_error != off[alike].max() or (off > step / 2 + SLACK * np.maximum(np.abs(high), 1)).any():
         yield f"{record.name} is said to be {record.max_error} off, which its channels and their steps don't bear out"
     if record.name in whole:
         yield from _bytes(manifest, record, whole[record.name], (code, low, high, bits))
