@@ -24,12 +24,14 @@ from .earth import GRAVITY
 from .gerstner import Fronts
 from .level import Level
 from .request import Beside, Request
+from .river_flow import river_flow
 from .sea_keys import fronts_at
 from .settings import Shore
 from .shore import shore_map
 from .swell_request import Swell, SwellRequest, SwellResult, solve_request
 from .tide import tide_m
 from .travel_time import stride
+from .wave_current import wave_current
 
 MOST_SIDE, LIVE_SIDE = 513, 257  # texels a side of the map, and of that under the brush
 MOST_GAIN = 3.0  # of a swell against its height offshore
@@ -113,10 +115,12 @@ def asked_of(level: Level, time_s: float, most_side: int | None = None, rise_m: 
     heights = (0.0,) * SWELLS if level.live else (lead_m, *(float(2 * a) for a in fronts.amplitude_m[1:]))
     headings = (float(np.degrees(np.arctan2(e, n)) % 360) for e, n in zip(fronts.east, fronts.north))
     swells = tuple(Swell(*one) for one in zip(periods, headings, heights, strict=True))
+    moves = wave_current(level, depth, bed.cell_m * step)
     key = (bed.revision, bed.key[0], bed.whole, step, swells, settings.shore.height_m, timing, rise_m)
+    key += () if moves is None else (moves.name,)
     request = SwellRequest(
         depth, bed.cell_m * step, swells, least_depth_m=timing.least_depth_m, breaks_at=timing.breaker,
-        heights_side=MOST_SIDE,
+        heights_side=MOST_SIDE, current=None if moves is None else moves.mps,
     )  # fmt: skip
     return Asked(key, request, settings.shore.height_m)
 
@@ -158,14 +162,14 @@ def _asked_once(level: Level, time_s: float, rise_m: float) -> Asked:
     if np.ndim(time_s):  # many moments at once are nobody's frame
         return asked_of(level, time_s, rise_m=rise_m)
     bed, settings = shore_map(level), level.settings
-    key = time_s, rise_m, level.live, bed.revision, bed.whole, level.objects_revision
+    key = time_s, rise_m, level.live, bed.revision, bed.whole, level.objects_revision, level.layer_revision("flow")
     kept: dict = level.derived.setdefault("asked", {})
-    known = kept.get(key)
-    if known is None or any(had is not has for had, has in zip(known, (bed, settings, level.undated))):
-        known = kept[key] = bed, settings, level.undated, asked_of(level, time_s, rise_m=rise_m)
+    known, others = kept.get(key), (bed, settings, level.undated, river_flow(level))
+    if known is None or any(had is not has for had, has in zip(known, others)):
+        known = kept[key] = *others, asked_of(level, time_s, rise_m=rise_m)
         for gone in list(kept)[:-KEPT]:
             del kept[gone]
-    return known[3]
+    return known[-1]
 
 
 def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
