@@ -115,7 +115,7 @@ def asked_of(level: Level, time_s: float, most_side: int | None = None, rise_m: 
     heights = (0.0,) * SWELLS if level.live else (lead_m, *(float(2 * a) for a in fronts.amplitude_m[1:]))
     headings = (float(np.degrees(np.arctan2(e, n)) % 360) for e, n in zip(fronts.east, fronts.north))
     swells = tuple(Swell(*one) for one in zip(periods, headings, heights, strict=True))
-    moves = wave_current(level, depth, bed.cell_m * step)
+    moves = wave_current(level, depth, bed.cell_m * step, (bed.revision, bed.whole, rise_m))
     key = (bed.revision, bed.key[0], bed.whole, step, swells, settings.shore.height_m, timing, rise_m)
     key += () if moves is None else (moves.name,)
     request = SwellRequest(

@@ -17,7 +17,7 @@ from .weather_keys import base_settings
 
 LEAST_MPS = 0.01  # slower, it is still water
 BORDER_M = 30.0  # over which it dies out before the level's border: waves come in through still water
-KEPT = 4  # of as many strides
+KEPT = 6  # of as many strides, and levels of the sea
 
 
 @dataclass(frozen=True)
@@ -28,23 +28,33 @@ class WaveCurrent:
     name: str
 
 
-def wave_current(level: Level, depth_m: np.ndarray, cell_m: float) -> WaveCurrent | None:
+def wave_current(level: Level, depth_m: np.ndarray, cell_m: float, of_depth: tuple) -> WaveCurrent | None:
     """That in the sea on samples so far apart, as many as `depth_m` has; None where nothing moves any of it.
 
-    While a stroke is open the last one stays.
+    `of_depth` names those depths: frames ask again and again. While a stroke is open the last current stays.
     """
     rivers = river_flow(level)
     if rivers is None and level.layers["flow"].neutral:
         return None
-    mps = _kept(level, rivers, depth_m.shape, cell_m)
-    felt = (depth_m > 0) & (np.hypot(mps[..., 0], mps[..., 1]) > LEAST_MPS)
+    mps = _everywhere(level, rivers, depth_m.shape, cell_m)
+    kept: dict = level.derived.setdefault("wave_current_at_sea", {})
+    key = (depth_m.shape, *of_depth)
+    if key not in kept or kept[key][0] is not mps:
+        kept[key] = mps, _at_sea(mps, depth_m > 0)
+        for gone in list(kept)[:-KEPT]:
+            del kept[gone]
+    return kept[key][1]
+
+
+def _at_sea(mps: np.ndarray, sea: np.ndarray) -> WaveCurrent | None:
+    felt = sea & (np.hypot(mps[..., 0], mps[..., 1]) > LEAST_MPS)
     if not felt.any():
         return None
     mps = np.where(felt[..., None], mps, np.float32(0))
     return WaveCurrent(mps, hashlib.blake2b(mps.tobytes(), digest_size=16).hexdigest())
 
 
-def _kept(level: Level, rivers: RiverFlow | None, shape: tuple[int, int], cell_m: float) -> np.ndarray:
+def _everywhere(level: Level, rivers: RiverFlow | None, shape: tuple[int, int], cell_m: float) -> np.ndarray:
     """The same on land too, kept until something changes."""
     settings = base_settings(level)
     flow, share = settings.flow, settings.timing.current * settings.flow.on

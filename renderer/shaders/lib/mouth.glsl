@@ -47,7 +47,7 @@ Plume jet_plume(vec2 off, vec4 jet, float pixel_m) {
     float torn = smoothstep(0.34, 0.62, noise_at(at, 0.6 * tile_m, pixel_m).g);
     float lasts = ends * smoothstep(-0.5 * half_m, half_m, off.x) * jet.z;
     float seam = saturate(lines * thread_m / shown_m) * (0.35 + 0.65 * torn) * lasts;
-    float speck = smoothstep(0.85, 0.9, noise_at(at.yx, 31.0, pixel_m).b);
+    float speck = smoothstep(0.84, 0.88, noise_at(at.yx, 60.0, pixel_m).b);
     float near = exp2(-side_m * side_m / (4.0 + thread_m * thread_m));
     return Plume(water, out_here, u_mouth_seam * seam, u_mouth_flotsam * speck * near * torn * lasts);
 }
@@ -91,6 +91,6 @@ float blocked_foam(float white, vec2 xy, float crest, float chop_m, float pixel_
 // Leaves and wood over all foam.
 Foam with_flotsam(Foam foam, float cover, inout vec3 albedo) {
     float whole = foam.cover + cover * (1.0 - foam.cover);
-    albedo = mix(albedo, vec3(0.045, 0.033, 0.020), cover / max(whole, 1e-4));
+    albedo = mix(albedo, vec3(0.15, 0.11, 0.062), cover / max(whole, 1e-4));
     return Foam(whole, max(foam.amount, cover), foam.bubbles, foam.relief, mix(foam.fresh, 0.0, cover));
 }
