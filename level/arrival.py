@@ -188,7 +188,8 @@ def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
         heights[..., 1 + i] = np.clip(one.heights.height_m / swell_i.height_m, 0, MOST_GAIN) * stands
         if i == 0:
             heights[..., 0] = one.heights.height_m / max(asked.lead_height_m, 1e-6) * stands
-            breaks = breaking_block(one.heights, one.time.reached, request.cell_m)
+            meets = None if request.current is None else one.time.meets
+            breaks = breaking_block(one.heights, one.time.reached, request.cell_m, meets)
     times[..., 3] = _at_the_shore(request, times[..., 0], found[0].time.reached)
     periods = tuple(one.period_s for one in request.swells)
     reached = np.stack([one.time.reached for one in found], -1)

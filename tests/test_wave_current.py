@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 from shorewright.level.arrival import arrival, asked_of
+from shorewright.level.arrival_map import BREAKS
 from shorewright.level.blocking import SHORTEST_AT, met_wavenumber, stopping_speed
 from shorewright.level.dispersion import group_speed, wavenumber
 from shorewright.level.pick import ground_at
 from shorewright.level.river_flow import river_flow
+from shorewright.level.swell_request import solve_request
 from shorewright.level.travel_time import solve
 from shorewright.level.waves import sea_at
 from test_river_mouth import fast
@@ -144,3 +146,15 @@ def test_no_seam_through_the_jet_as_the_tide_moves():
         angle = np.degrees(np.arccos(np.clip((one.normal * two.normal).sum(-1), -1, 1)))
         assert np.count_nonzero(seen) > 60
         assert angle[seen].max() < 2
+
+
+def test_no_lip_is_thrown_where_fronts_come_together():
+    """D35, D34: behind the bulge round a jet two fronts meet: breaking doesn't show there, and does in still water."""
+    level = fast(2.2, **{"timing.source": "travel_time", "sea.swell_m": 0.5, "sea.swell_length_m": 60.0})
+    asked = asked_of(level, 0.0)
+    meets = solve_request(asked.request)[0].time.meets
+    crossing = meets > 0.9
+    assert np.count_nonzero(crossing) > 3
+    shows = asked.answered().block(BREAKS)[..., 1]
+    assert shows[crossing].max() < 0.6
+    assert shows.max() > 0.95

@@ -70,22 +70,24 @@ Plume plume_at(vec2 xy, float pixel_m) {
 // Share of rivers' water at a place where the map has `share` of it.
 float river_tint(Plume plume, float share) { return mix(share, plume.water, plume.out_here); }
 
-const float BLOCKED_CHOPS = 4.0;  // lengths of the chop: a tile of where it breaks
+const float BLOCKED_CHOPS = 3.2;  // lengths of the chop: a tile of where it breaks
 
-// Foam of chop that the current holds up, 0 … 1: it breaks where it stands, on its crests, and what it leaves goes out to
-// sea with the water. `white` as River has it, `crest` height against the largest, `chop_m` its length.
+// Foam of chop that the current holds up, 0 … 1: it breaks where it stands, in short rows across the wind, and leaves lace
+// that goes out to sea with the water. `white` as River has it, `crest` height against the largest, `chop_m` its length.
 float blocked_foam(float white, vec2 xy, float crest, float chop_m, float pixel_m) {
     float amount = u_mouth_blocked * white, tile_m = BLOCKED_CHOPS * chop_m;
     if (amount < 0.01) return 0.0;
-    float fields = smoothstep(0.2, 0.65, noise_at(xy, 3.1 * tile_m, pixel_m).g), breaks = 0.0;
+    vec2 at = vec2(1.9 * dot(xy, u_wind_way), u_wind_way.x * xy.y - u_wind_way.y * xy.x);
+    float fields = smoothstep(0.15, 0.75, noise_at(xy, 2.7 * tile_m, pixel_m).g), breaks = 0.0;
+    float grain = noise_at(xy, 0.31 * tile_m, pixel_m).b - 0.5;
     for (int i = 0; i < 2; ++i) {
         float age = i == 0 ? u_cap_age.z : u_cap_age.w;
         vec2 place = i == 0 ? u_cap_place.xy : u_cap_place.zw;
-        float share = 0.5 * amount * age * fields * clamp(1.0 + 2.0 * crest, 0.3, 1.8);
-        float cap = noise_at(xy + place * tile_m, tile_m, pixel_m).g;
-        breaks = max(breaks, smoothstep(1.0 - 1.4 * share, 1.0 - 0.6 * share, cap) * smoothstep(0.0, 0.1, share));
+        float share = 0.6 * amount * age * fields * clamp(1.0 + 2.0 * crest, 0.3, 1.8);
+        float cap = noise_at(at + place * tile_m, tile_m, pixel_m).g + 0.22 * grain;
+        breaks = max(breaks, smoothstep(1.0 - 1.7 * share, 1.08 - 0.3 * share, cap) * smoothstep(0.0, 0.1, share));
     }
-    return max(0.75 * breaks, 0.26 * amount * fields);
+    return amount * (0.2 * fields + 0.08 * grain) + (1.0 - 0.3 * amount) * 0.8 * breaks;
 }
 
 // Leaves and wood over all foam.
