@@ -149,9 +149,10 @@ def test_no_seam_along_banks_and_mouth(shore, sides, source):
 
 
 @pytest.mark.gl
-def test_shader_and_twin_agree_where_waves_meet_the_jet(ctx):
+@pytest.mark.parametrize("source", ["depth", "travel_time"])
+def test_shader_and_twin_agree_where_waves_meet_the_jet(ctx, source):
     """D30, D35: 10,000 points round the mouth within a millimetre."""
-    level, rng = fast(), np.random.default_rng(3)
+    level, rng = fast(**{"timing.source": source}), np.random.default_rng(3)
     at = rng.uniform((40, 5), (80, 110), (10_000, 2))
     seen = feedback(ctx, level, 33.3, at)
     assert river_map(level).most_gain > 1.2

@@ -9,6 +9,7 @@ from shorewright.level.blocking import SHORTEST_AT, met_wavenumber, stopping_spe
 from shorewright.level.dispersion import group_speed, wavenumber
 from shorewright.level.pick import ground_at
 from shorewright.level.river_flow import river_flow
+from shorewright.level.shaping_request import _of, shape_request
 from shorewright.level.swell_request import solve_request
 from shorewright.level.travel_time import solve
 from shorewright.level.waves import sea_at
@@ -158,3 +159,19 @@ def test_no_lip_is_thrown_where_fronts_come_together():
     shows = asked.answered().block(BREAKS)[..., 1]
     assert shows[crossing].max() < 0.6
     assert shows.max() > 0.95
+
+
+def test_a_front_in_the_hand_knows_the_current():
+    """D35, T07: the process that shapes it, asked with the level's paint and river, solves the very same request."""
+    level = coast()
+    level.set("timing.source", "travel_time")
+    stream = np.zeros((*level.grid.shape, 2), np.float32)
+    stream[10:45, 20:60, 0] = 0.8
+    level.write("flow", level.grid.rect, stream)
+    there, _ = _of(shape_request(level, -35, 14.0, (60.0, 40.0), 20.0, 0, 35.0))
+    mine, its = (asked_of(one, 14.0).request for one in (level, there))
+    assert mine.current.any()
+    np.testing.assert_array_equal(mine.current, its.current)
+    np.testing.assert_array_equal(mine.depth_m, its.depth_m)
+    level.set("timing.source", "depth")
+    assert not shape_request(level, -36, 14.0, (60.0, 40.0), 20.0, 0, 35.0).paint
