@@ -5,7 +5,7 @@ import pytest
 from coasts import make_beach
 from shorewright.level import Rect
 from shorewright.level.objects import Camera, Disturbance, River
-from shorewright.level.plume import RUNS_MPS
+from shorewright.level.plume import EDDIES, RUNS_MPS, TILE_HALVES
 from shorewright.level.river_bed import carved
 from shorewright.level.river_flow import river_flow
 from shorewright.level.river_map import river_map
@@ -266,3 +266,13 @@ def test_chop_that_the_current_stops_is_white(renderer):
     assert covers[0][0].size > 10
     assert covers[1][0].mean() > covers[0][0].mean() + 0.05
     np.testing.assert_allclose(covers[1][1], covers[0][1], atol=1 / 255)
+
+
+def test_eddies_go_down_the_jet_and_round_without_a_jump(renderer):
+    """D35: after the time that a tile takes all of it is as before; half of that later it isn't."""
+    level, _, _ = plumes(renderer, mouth__blocked=0.0)
+    jet = river_flow(level).mouths[0]
+    period_s = TILE_HALVES * jet.half_m / (EDDIES * jet.speed_mps)
+    before, after, other = (seen(level, renderer, "plume", MOUTH, at * period_s) for at in (1 - 1e-5, 1 + 1e-5, 1.5))
+    assert np.abs(after - before).max() < 0.03
+    assert np.abs(other - before).max() > 0.1

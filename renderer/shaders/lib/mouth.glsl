@@ -12,6 +12,7 @@ uniform float u_mouth_waver, u_mouth_seam, u_mouth_flotsam, u_mouth_blocked;
 const float JET_CORE = 10.4, JET_SPREAD = 0.1, JET_MIXES = 1.35, JET_EDGE = 0.12;
 const float EDDY_TILE = 5.0;     // half widths
 const float ROLLS = 40.0;        // to a tile: what is finer than that rolls no edge
+const float FLOTSAM_TILE_M = 60.0;
 const float HALF_OF_IT = 0.8326; // √ln 2: a Gaussian there is one half
 
 struct Plume {
@@ -27,7 +28,8 @@ Plume jet_plume(vec2 off, vec4 jet, float pixel_m) {
     float flat_m = half_m * max(1.0 - far / core, 0.0);
     float mixed_m = JET_MIXES * (half_m + JET_SPREAD * far - flat_m) / HALF_OF_IT, wide_m = mixed_m + JET_EDGE * half_m;
     if (abs(off.y) > flat_m + 3.5 * wide_m + 0.5 * half_m || far > 1.5 * jet.y) return Plume(0.0, 0.0, 0.0, 0.0);
-    // eddies roll down both sides, small at the mouth, then as wide as what is mixed
+    // eddies roll down both sides, small at the mouth, then as wide as what is mixed; all tiles fit into the one that
+    // they go round by
     vec2 at = vec2(off.x - jet.w * tile_m, off.y);
     vec4 broad = noise_at(at, tile_m, max(pixel_m, tile_m / ROLLS)), small = noise_at(at.yx, tile_m / 3.0, pixel_m);
     float grown = smoothstep(0.0, 3.0 * half_m, far);
@@ -44,10 +46,10 @@ Plume jet_plume(vec2 off, vec4 jet, float pixel_m) {
     float side_m = across - flat_m - HALF_OF_IT * 0.55 * wide_m;
     vec2 side = vec2(side_m, side_m + 2.6 * thread_m) / shown_m;
     float lines = exp(-side.x * side.x) + 0.45 * exp(-side.y * side.y);
-    float torn = smoothstep(0.34, 0.62, noise_at(at, 0.6 * tile_m, pixel_m).g);
+    float torn = smoothstep(0.34, 0.62, noise_at(at, 0.5 * tile_m, pixel_m).g);
     float lasts = ends * smoothstep(-0.5 * half_m, half_m, off.x) * jet.z;
     float seam = saturate(lines * thread_m / shown_m) * (0.35 + 0.65 * torn) * lasts;
-    float speck = smoothstep(0.84, 0.88, noise_at(at.yx, 60.0, pixel_m).b);
+    float speck = smoothstep(0.84, 0.88, noise_at(at.yx, tile_m / max(round(tile_m / FLOTSAM_TILE_M), 1.0), pixel_m).b);
     float near = exp2(-side_m * side_m / (4.0 + thread_m * thread_m));
     return Plume(water, out_here, u_mouth_seam * seam, u_mouth_flotsam * speck * near * torn * lasts);
 }
