@@ -36,6 +36,7 @@ from .wave_current import wave_current
 MOST_SIDE, LIVE_SIDE = 513, 257  # texels a side of the map, and of that under the brush
 MOST_GAIN = 3.0  # of a swell against its height offshore
 SHORE_SMOOTH_M = 3.0  # sigma of the time at the shoreline
+BANK_MPS = 0.15  # a shore along which water runs faster is a bank
 KEPT = 6  # maps that a level keeps: of the weathers that follow each other, and of the sea levels of a tide
 
 
@@ -197,9 +198,15 @@ def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
 
 
 def _at_the_shore(request: SwellRequest, seconds: np.ndarray, reached: np.ndarray) -> np.ndarray:
-    """When waves meet the shoreline that is nearest, in seconds; smooth, or two shores as near would meet in a step."""
+    """When waves meet the shoreline that is nearest, in seconds; smooth, or two shores as near would meet in a step.
+
+    Banks that a current runs along don't count: waves come there late, and no sheet runs up them.
+    """
     land = request.depth_m <= 0
     line = reached & ndimage.binary_dilation(land) & ~land
+    if request.current is not None:
+        beach = line & (np.hypot(request.current[..., 0], request.current[..., 1]) < BANK_MPS)
+        line = beach if beach.any() else line
     if not line.any():
         return seconds
     row, col = ndimage.distance_transform_edt(~line, return_distances=False, return_indices=True)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 from shorewright.level.arrival import arrival, asked_of
-from shorewright.level.arrival_map import BREAKS
+from shorewright.level.arrival_map import BREAKS, TIMES
 from shorewright.level.blocking import SHORTEST_AT, met_wavenumber, stopping_speed
 from shorewright.level.dispersion import group_speed, wavenumber
 from shorewright.level.pick import ground_at
@@ -175,3 +175,14 @@ def test_a_front_in_the_hand_knows_the_current():
     np.testing.assert_array_equal(mine.depth_m, its.depth_m)
     level.set("timing.source", "depth")
     assert not shape_request(level, -36, 14.0, (60.0, 40.0), 20.0, 0, 35.0).paint
+
+
+def test_banks_that_water_runs_along_set_no_time_for_the_swash():
+    """D35: beside a mouth the sheet comes up with that of the beach, however late waves are up the river."""
+    level = fast(2.0, **{"timing.source": "travel_time"})
+    times = arrival(level, 0.0).block(TIMES)
+    mouth = river_flow(level).mouths[0]
+    at = round(mouth.y), round(mouth.x + 2.0 * mouth.half_m)  # on the beach, beside the mouth
+    far = round(mouth.y), round(mouth.x + 6.0 * mouth.half_m)
+    assert times[round(mouth.y + 12), round(mouth.x), 0] > times[far][0] + 3.0
+    assert abs(times[at][3] - times[far][3]) < 1.5
