@@ -14,7 +14,7 @@ def idle(level: Level, time_s: float) -> dict[str, str]:
     if timing.travels:
         found["shore.interval_s"] = f"{period_s(level, time_s):.1f} s, the swell's own"
     else:
-        found |= dict.fromkeys(("timing.least_depth_m", "timing.tide_step_m"), BY_DEPTH)
+        found |= dict.fromkeys(("timing.least_depth_m", "timing.tide_step_m", "timing.current"), BY_DEPTH)
     if timing.source != "blend":
         found["timing.blend"] = "with source blend only"
     if not level.settings.tide.on:

@@ -45,8 +45,8 @@ class ShapingLender:
 
     def _send(self, line: np.ndarray | None, quick: bool) -> int:
         self._asked += 1
-        height = None if self._known else self._held.height
-        self._worker.ask(self._asked, replace(self._held, height=height, line=line, quick=quick))
+        known = {"height": None, "paint": ()} if self._known else {}
+        self._worker.ask(self._asked, replace(self._held, line=line, quick=quick, **known))
         return self._asked
 
     @property

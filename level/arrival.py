@@ -24,16 +24,19 @@ from .earth import GRAVITY
 from .gerstner import Fronts
 from .level import Level
 from .request import Beside, Request
+from .river_flow import river_flow
 from .sea_keys import fronts_at
 from .settings import Shore
 from .shore import shore_map
 from .swell_request import Swell, SwellRequest, SwellResult, solve_request
 from .tide import tide_m
 from .travel_time import stride
+from .wave_current import wave_current
 
 MOST_SIDE, LIVE_SIDE = 513, 257  # texels a side of the map, and of that under the brush
 MOST_GAIN = 3.0  # of a swell against its height offshore
 SHORE_SMOOTH_M = 3.0  # sigma of the time at the shoreline
+BANK_MPS = 0.15  # a shore along which water runs faster is a bank
 KEPT = 6  # maps that a level keeps: of the weathers that follow each other, and of the sea levels of a tide
 
 
@@ -113,10 +116,12 @@ def asked_of(level: Level, time_s: float, most_side: int | None = None, rise_m: 
     heights = (0.0,) * SWELLS if level.live else (lead_m, *(float(2 * a) for a in fronts.amplitude_m[1:]))
     headings = (float(np.degrees(np.arctan2(e, n)) % 360) for e, n in zip(fronts.east, fronts.north))
     swells = tuple(Swell(*one) for one in zip(periods, headings, heights, strict=True))
+    moves = wave_current(level, depth, bed.cell_m * step, (bed.revision, bed.whole, rise_m))
     key = (bed.revision, bed.key[0], bed.whole, step, swells, settings.shore.height_m, timing, rise_m)
+    key += () if moves is None else (moves.name,)
     request = SwellRequest(
         depth, bed.cell_m * step, swells, least_depth_m=timing.least_depth_m, breaks_at=timing.breaker,
-        heights_side=MOST_SIDE,
+        heights_side=MOST_SIDE, current=None if moves is None else moves.mps,
     )  # fmt: skip
     return Asked(key, request, settings.shore.height_m)
 
@@ -158,14 +163,14 @@ def _asked_once(level: Level, time_s: float, rise_m: float) -> Asked:
     if np.ndim(time_s):  # many moments at once are nobody's frame
         return asked_of(level, time_s, rise_m=rise_m)
     bed, settings = shore_map(level), level.settings
-    key = time_s, rise_m, level.live, bed.revision, bed.whole, level.objects_revision
+    key = time_s, rise_m, level.live, bed.revision, bed.whole, level.objects_revision, level.layer_revision("flow")
     kept: dict = level.derived.setdefault("asked", {})
-    known = kept.get(key)
-    if known is None or any(had is not has for had, has in zip(known, (bed, settings, level.undated))):
-        known = kept[key] = bed, settings, level.undated, asked_of(level, time_s, rise_m=rise_m)
+    known, others = kept.get(key), (bed, settings, level.undated, river_flow(level))
+    if known is None or any(had is not has for had, has in zip(known, others)):
+        known = kept[key] = *others, asked_of(level, time_s, rise_m=rise_m)
         for gone in list(kept)[:-KEPT]:
             del kept[gone]
-    return known[3]
+    return known[-1]
 
 
 def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
@@ -184,7 +189,8 @@ def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
         heights[..., 1 + i] = np.clip(one.heights.height_m / swell_i.height_m, 0, MOST_GAIN) * stands
         if i == 0:
             heights[..., 0] = one.heights.height_m / max(asked.lead_height_m, 1e-6) * stands
-            breaks = breaking_block(one.heights, one.time.reached, request.cell_m)
+            meets = None if request.current is None else one.time.meets
+            breaks = breaking_block(one.heights, one.time.reached, request.cell_m, meets)
     times[..., 3] = _at_the_shore(request, times[..., 0], found[0].time.reached)
     periods = tuple(one.period_s for one in request.swells)
     reached = np.stack([one.time.reached for one in found], -1)
@@ -192,9 +198,15 @@ def arrival_map(asked: Asked, found: tuple[SwellResult, ...]) -> ArrivalMap:
 
 
 def _at_the_shore(request: SwellRequest, seconds: np.ndarray, reached: np.ndarray) -> np.ndarray:
-    """When waves meet the shoreline that is nearest, in seconds; smooth, or two shores as near would meet in a step."""
+    """When waves meet the shoreline that is nearest, in seconds; smooth, or two shores as near would meet in a step.
+
+    Banks that a current runs along don't count: waves come there late, and no sheet runs up them.
+    """
     land = request.depth_m <= 0
     line = reached & ndimage.binary_dilation(land) & ~land
+    if request.current is not None:
+        beach = line & (np.hypot(request.current[..., 0], request.current[..., 1]) < BANK_MPS)
+        line = beach if beach.any() else line
     if not line.any():
         return seconds
     row, col = ndimage.distance_transform_edt(~line, return_distances=False, return_indices=True)

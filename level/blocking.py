@@ -13,12 +13,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .dispersion import wavenumber
 from .earth import GRAVITY
 from .river_jet import smooth
 
 MOST_GAIN = 1.6  # waves get no higher than so many times what they were
 STEEPEST = 0.14  # of waves, height by length, × tanh k h (Miche)
 STOPS = (0.92, 1.08)  # of the speed that stops waves: all of them, none get through
+SHORTEST_AT = 0.97  # of the speed that stops waves: against more of it they get no shorter, for they are gone
+NEWTON_STEPS = 9
 WHITE = (0.2, 0.5)  # (cg + U) / cg up to which they are white, at which they aren't
 
 
@@ -38,6 +41,23 @@ def stopping_speed(period_s, depth_m) -> np.ndarray:
     pace = 2 * np.pi / np.asarray(period_s, np.float64) * np.sqrt(depth / GRAVITY)
     known, stops = _stopping()
     return np.where(pace > known[-1], 0.25 / pace, np.interp(pace, known, stops)) * np.sqrt(GRAVITY * depth)
+
+
+def met_wavenumber(period_s: float, depth_m, along_mps) -> np.ndarray:
+    """Radians per metre of waves of a period through water that goes `along_mps` their way: (ω − k U)² = g k tanh k h.
+
+    Arrays of one shape. A current that stops them shortens them as one of SHORTEST_AT of its speed.
+    """
+    depth = np.asarray(depth_m, np.float64)
+    along = np.maximum(along_mps, -SHORTEST_AT * stopping_speed(period_s, depth))
+    omega, k = 2 * np.pi / period_s, wavenumber(period_s, depth)
+    # σ(k) + k U − ω is concave and grows up to the speed that stops waves: from its left no step goes too far
+    for _ in range(NEWTON_STEPS):
+        tanh = np.tanh(k * depth)
+        sigma = np.sqrt(GRAVITY * k * tanh)
+        group = GRAVITY * (tanh + k * depth * (1 - tanh * tanh)) / (2 * sigma)
+        k = k - (sigma + k * along - omega) / np.maximum(group + along, 1e-3 * group)
+    return k
 
 
 @dataclass

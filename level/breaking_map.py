@@ -15,15 +15,23 @@ from .wave_heights import WaveHeights
 SMOOTH_M = 2.5  # sigma along a crest and across
 UNSEEN_S, SEEN_S = 10.5, 7.0  # before it breaks a wave begins to show that, and does whole
 AT_REST, AT_WORK = 0.1, 0.6  # of its water broken: it shows nothing of that any more, and all
+CROSSING_M = 5.0  # to either side of a line where two fronts come together
 LEAST_SHOWN = 1e-4
 
 
-def breaking_block(heights: WaveHeights, reached: np.ndarray, cell_m: float) -> np.ndarray:
-    """`(rows, cols, 4)` float32: seconds since the break, how far it shows 0 … 1, surf similarity, run-up in metres."""
+def breaking_block(
+    heights: WaveHeights, reached: np.ndarray, cell_m: float, meets: np.ndarray | None = None
+) -> np.ndarray:
+    """`(rows, cols, 4)` float32: seconds since the break, how far it shows 0 … 1, surf similarity, run-up in metres.
+
+    Where fronts come together (`meets` 0 … 1) no lip is thrown: two would go through each other.
+    """
     broken = heights.broken > 0
     since_s = np.where(broken, heights.since_break_s, -heights.to_break_s)
     coming = 1.0 - _step(SEEN_S, UNSEEN_S, heights.to_break_s)
     shows = np.where(broken, _step(AT_REST, AT_WORK, heights.broken), coming) * reached
+    if meets is not None:
+        shows = shows * (1.0 - ndimage.maximum_filter(meets, 2 * round(CROSSING_M / cell_m) + 1))
     similarity = np.where(broken, heights.similarity, heights.next_similarity)
     # on land as at the water's edge near by: what is smoothed there must not know of nothing
     known = reached & (shows > LEAST_SHOWN)

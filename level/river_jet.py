@@ -14,6 +14,8 @@ import numpy as np
 from .river_line import SPREAD
 
 CORE = 5.2  # widths
+MIXES = 1.35  # a jet's water spreads so much wider than its speed (Fischer et al. 1979, Mixing, table 9.2)
+LEAST_EDGE = 0.12  # half widths: what has the way that the mouth's edges take to the sea's water is no narrower
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,16 @@ class Mouth:
         wide = 4.0 * (self.half_m + SPREAD * self.reach_m) + 4 * cell_m
         spans = ((at, at + way * self.reach_m) for at, way in ((self.y, self.north), (self.x, self.east)))
         return tuple((round((min(span) - wide) / cell_m), round((max(span) + wide) / cell_m)) for span in spans)
+
+    def water(self, x, y) -> np.ndarray:
+        """Share 0 … 1 of the river's water at world points beyond the mouth, without eddies: plume_at in mouth.glsl."""
+        ahead, across = self.off(x, y)
+        core, far = 2 * CORE * self.half_m, np.maximum(ahead, 0.0)
+        flat = self.half_m * np.maximum(1 - far / core, 0)
+        wide = MIXES * (self.half_m + SPREAD * far - flat) / math.sqrt(math.log(2)) + LEAST_EDGE * self.half_m
+        over = np.maximum(np.abs(across) - flat, 0) / wide
+        ends = 1 - smooth(0.15 * self.reach_m, 1.1 * self.reach_m, far)  # the eye sees shares by their logarithm
+        return np.sqrt(core / np.maximum(far, core)) * np.exp(-over * over) * ends * ends
 
     def speed(self, x, y, cell_m: float, behind_m: float = 0.0) -> np.ndarray:
         """Of the jet along its heading, m/s at world points, smooth on cells of that size; exactly 0 where none is.

@@ -88,7 +88,7 @@ def shares(level: Level, shape: RiverMap, flow: RiverFlow) -> tuple[Shares, tupl
     """What the level's rivers leave of the sea's waves, and the part of the map where: elsewhere it is all of them."""
     around = _around(level, shape, flow)
     high, low = groups(base_settings(level).sea, level.settings.level.seed)
-    strength = base_settings(level).flow.rivers
+    strength = base_settings(level).flow.rivers * base_settings(level).flow.on
     for mouth in flow.mouths:
         _jet(around, mouth, strength, (high, low))
     for which, line in enumerate(shape.lines):
@@ -189,7 +189,7 @@ def with_waves(level: Level) -> RiverMap | None:
     settings = base_settings(level)
     sea = tuple(getattr(settings.sea, name) for name in ("swell_m", "swell_length_m", "swell_heading_deg", "chop_m",
                                                          "chop_length_m", "variance"))  # fmt: skip
-    key = (shape.key, flow.key, sea, settings.level.seed, settings.flow.rivers)
+    key = (shape.key, flow.key, sea, settings.level.seed, settings.flow.rivers, settings.flow.on)
     key += (level.layer_revision("mouth"),)
     have = level.derived.get("river_map")
     if have is not None and level.live and have.key[0] == shape.key:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Literal
 
 from .land_settings import Ground, Scatter, Walk, Wet
+from .mouth_settings import MouthLook
 from .params import Section, param
 from .river_settings import RiverLook
 from .sea_settings import Caustics, Flow, Foam, Force, Glare, Quiet, Things
@@ -220,6 +221,7 @@ class Settings(Section):
     shore: Shore = Shore()
     timing: Timing = Timing()
     river: RiverLook = RiverLook()
+    mouth: MouthLook = MouthLook()
     water: Water = Water()
     caustics: Caustics = Caustics()
     flow: Flow = Flow()

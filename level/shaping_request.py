@@ -18,12 +18,16 @@ from .settings import Settings
 from .shaping import Shaped, Shaping
 
 LINE_BYTES = 1 << 16  # of the line in an answer, with what is left on it
+MOVES_WATER = ("flow", "river_mask", "river_surface")  # layers that times of travel follow from
 RIM = 16  # cells that a change may reach past the radius
 
 
 @dataclass(frozen=True)
 class ShapeRequest(Request[Shaped | None]):
-    """A line at a moment; `quick` as under the hand. `height` may be None when the last request had the same `drag`."""
+    """A line at a moment; `quick` as under the hand.
+
+    `height` may be None and `paint` empty when the last request had the same `drag`.
+    """
 
     drag: int
     height: np.ndarray | None  # float32 (rows, cols), the ground at the press
@@ -37,6 +41,7 @@ class ShapeRequest(Request[Shaped | None]):
     slope_deg: float
     quick: bool = True
     line: np.ndarray | None = None  # None: nothing but get ready
+    paint: tuple[tuple[str, np.ndarray], ...] = ()  # layers and their samples
 
     def kept(self) -> ShapeRequest:
         """Itself: its arrays are its own already."""
@@ -64,7 +69,9 @@ def shape_request(level: Level, drag: int, t: float, at, radius_m: float, wave: 
     """A request about a level as it is, without a line; `drag` is a number that no other drag has."""
     things = tuple(thing for thing in level.objects.values() if not isinstance(thing, Prop))
     height = np.array(level.height, np.float32)
-    return ShapeRequest(drag, height, level.grid, level.settings, things, t, at, radius_m, wave, slope_deg)
+    names = [name for name in MOVES_WATER if level.settings.timing.travels and not level.layers[name].neutral]
+    paint = tuple((name, np.array(level.layers[name].read(level.grid.rect))) for name in names)
+    return ShapeRequest(drag, height, level.grid, level.settings, things, t, at, radius_m, wave, slope_deg, paint=paint)
 
 
 def _of(request: ShapeRequest) -> tuple[Level, dict[bool, Shaping]]:
@@ -74,5 +81,7 @@ def _of(request: ShapeRequest) -> tuple[Level, dict[bool, Shaping]]:
         _kept.clear()
         level = Level(request.grid, request.height, request.settings)
         level.objects = {thing.id: thing for thing in request.objects}
+        for name, values in request.paint:
+            level.write(name, level.grid.rect, values)
         _kept[request.drag] = level, {}
     return _kept[request.drag]

@@ -36,6 +36,7 @@ class SwellRequest(Request[tuple["SwellResult", ...]]):
     cell_m: float
     swells: tuple[Swell, ...]
     speed: np.ndarray | None = None  # painted, multiplies the phase speed
+    current: np.ndarray | None = None  # (rows, cols, 2), east and north m/s
     origin_m: tuple[float, float] = (0.0, 0.0)
     least_depth_m: float = LEAST_DEPTH_M
     bed_over_m: float = 4.0  # waves feel a bed smoothed so wide (sigma): not each boulder; 0: the bed as it is
@@ -44,8 +45,8 @@ class SwellRequest(Request[tuple["SwellResult", ...]]):
     runup: str = "hunt"
 
     def kept(self) -> SwellRequest:
-        speed = None if self.speed is None else np.array(self.speed, np.float32)
-        return replace(self, depth_m=np.array(self.depth_m, np.float32), speed=speed)
+        names = [name for name in ("depth_m", "speed", "current") if getattr(self, name) is not None]
+        return replace(self, **{name: np.array(getattr(self, name), np.float32) for name in names})
 
     @property
     def answer_bytes(self) -> int:
@@ -91,8 +92,9 @@ def _solve(request: SwellRequest, depth_m: np.ndarray, swell: Swell) -> SwellRes
     step = request.step
     speed = 1.0 if request.speed is None else request.speed
     found = solve(
-        depth_m, request.cell_m, swell.period_s, swell.heading_deg, speed, request.least_depth_m, request.origin_m
-    )
+        depth_m, request.cell_m, swell.period_s, swell.heading_deg, speed, request.least_depth_m, request.origin_m,
+        current=request.current,
+    )  # fmt: skip
     if swell.height_m <= 0:
         return SwellResult(found, None, step)
     thinned = found if step == 1 else found.strided(step)

@@ -17,6 +17,10 @@ class Timing(Section):
     least_depth_m: float = param(
         0.3, 0.05, 5, "m", "Water shallower than this slows a swell no further.", soft=(0.1, 1)
     )
+    current: float = param(
+        1.0, 0, 1, "", "How far rivers, their jets and painted flow slow, bend and shorten waves that keep times of "
+        "travel.",
+    )  # fmt: skip
     breaker: float = param(0.78, 0.3, 1.5, "", "Height against depth at which a wave breaks.", soft=(0.5, 1.2))
     tide_step_m: float = param(
         0.25, 0.05, 10, "m", "Under a tide times of travel are solved at every so many metres of it, with a straight "

@@ -11,7 +11,9 @@ import math
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy import ndimage
 
+from .blocking import met_wavenumber
 from .dispersion import wavenumber
 from .errors import BadInput
 from .swell_border import Border, direction, find_border, side_phase
@@ -19,6 +21,8 @@ from .swell_meeting import meeting
 
 LEAST_DEPTH_M = 0.3  # below it crests would take for ever to reach the water's edge
 OVER_LAND = 4  # cells that T goes on past the water's edge, for bilinear reading
+ROUNDS = 4  # through a current: with the ways that crests went the round before
+EVENS = 1.0  # cells (sigma) over which those turn: where two fronts meet they would jump from round to round
 NEVER_S = 1e6  # on the guard outside the border: later than anything, so no stencil reads it
 NEEDS_SKFMM = (
     "The travel-time source needs scikit-fmm, which could not be loaded: install it with 'pip install scikit-fmm' "
@@ -32,7 +36,7 @@ class TravelTime:
 
     seconds: np.ndarray  # float32, finite everywhere
     reached: np.ndarray  # bool: water that the swell comes to
-    wavenumber: np.ndarray  # float32, rad/m of the still bed (without painted speed)
+    wavenumber: np.ndarray  # float32, rad/m of still water (without painted speed)
     meets: np.ndarray  # float32, 1 where fronts meet from two directions
     origin_m: tuple[float, float]
     cell_m: float
@@ -79,13 +83,16 @@ def solve(
     least_depth_m: float = LEAST_DEPTH_M,
     origin_m: tuple[float, float] = (0.0, 0.0),
     order: int = 2,
+    current: np.ndarray | None = None,
 ) -> TravelTime:
     """Travel time of a swell of one period over a bed: depth (rows, cols), land <= 0; it goes towards `heading_deg`.
 
-    `speed` (number or map) multiplies the phase speed inside the level.
+    `speed` (number or map) multiplies the phase speed inside the level; `current` (rows, cols, 2) is how fast the water
+    goes east and north, m/s: 0 on the level's border.
     """
     depth = np.asarray(depth_m, np.float64)
-    k = wavenumber(period_s, np.maximum(depth, least_depth_m))
+    felt_m = np.maximum(depth, least_depth_m)
+    k = still = wavenumber(period_s, felt_m)
     omega = 2 * np.pi / period_s
     rows, cols = depth.shape
     x, y = origin_m[0] + np.arange(cols) * cell_m, origin_m[1] + np.arange(rows)[:, None] * cell_m
@@ -96,15 +103,33 @@ def solve(
         seconds = np.full(depth.shape, np.nan)
     else:
         depth_ref, speed_ref, turn = border.depth_m, omega / border.k, border.turn
-        slowness = k / (omega * np.asarray(speed, np.float64))
-        marched = _march(turn.into(depth), turn.into(slowness), border, omega, cell_m, order)
         corner = x[-1 if turn.flip_cols else 0], y[-1 if turn.flip_rows else 0, 0]
-        seconds = turn.back(marched) + float(plane_time(*corner, heading_deg, speed_ref))
+
+        def arrives(k: np.ndarray) -> np.ndarray:
+            slowness = k / (omega * np.asarray(speed, np.float64))
+            marched = _march(turn.into(depth), turn.into(slowness), border, omega, cell_m, order)
+            return turn.back(marched) + float(plane_time(*corner, heading_deg, speed_ref))
+
+        seconds = arrives(k)
+        for _ in range(0 if current is None else ROUNDS):
+            k = _through(current, seconds, still, felt_m, period_s)
+            seconds = arrives(k)
     reached = np.isfinite(seconds)
     meets = meeting(seconds, reached, k, cell_m)
     seconds = over_land(seconds, reached, plane_time(x, y, heading_deg, speed_ref))
-    maps = seconds.astype(np.float32, order="C"), reached.copy(order="C"), k.astype(np.float32), meets
+    maps = seconds.astype(np.float32, order="C"), reached.copy(order="C"), still.astype(np.float32), meets
     return TravelTime(*maps, origin_m, cell_m, period_s, heading_deg, depth_ref, speed_ref, border)
+
+
+def _through(current: np.ndarray, seconds: np.ndarray, still: np.ndarray, depth_m, period_s: float) -> np.ndarray:
+    """Wavenumbers where water moves, of crests that go the way in which those `seconds` grow."""
+    k, felt = still.copy(), current.any(-1)
+    slopes = np.gradient(over_land(seconds, np.isfinite(seconds), 0.0))
+    north, east = (ndimage.gaussian_filter(slope, EVENS, mode="nearest", truncate=3) for slope in slopes)
+    steep = np.maximum(np.hypot(north, east)[felt], 1e-9)
+    along = (current[felt, 0] * east[felt] + current[felt, 1] * north[felt]) / steep
+    k[felt] = met_wavenumber(period_s, depth_m[felt], along)
+    return k
 
 
 def _march(depth, slowness, border: Border, omega: float, cell_m: float, order: int) -> np.ndarray:

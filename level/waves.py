@@ -23,6 +23,7 @@ from .noise import lattice
 from .outline import region_weight
 from .patches import beach_contact, overrides, patch_shore, patch_uniforms
 from .pins import later, pin_uniforms, pinned
+from .plume import mouth_uniforms
 from .river_map import has_rivers, river_map
 from .river_water import River, river_at, river_uniforms
 from .sea_keys import fronts_at, largest_amplitude_m
@@ -306,6 +307,7 @@ def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]
         "u_bed_cell_m": shore_map(level).cell_m,
         "u_bed_rows": len(shore_map(level).packed),
         **river_uniforms(level, t),
+        **mouth_uniforms(level, t),
         **patch_uniforms(level),
         "u_beach_cell_m": beach_map(level).cell_m,
         **arrival_uniforms(arrival(level, t), settings.timing.share),

@@ -11,4 +11,6 @@ MOUTH_VIEWS = (
          "vec3(on_sea * river_level_shown(sea))", "grey", 0, 10, ids="D13"),
     View("mouth", "Mouth", "Waves of the sea that come there: red swell, green chop, at sea half bright; blue where "
          "the current holds them up.", "on_sea * mouth_shown(sea)", "direct", ids="D35"),
+    View("plume", "Plume", "Red a river's water out to sea, green foam along its sides, blue that of chop which the "
+         "current stops.", "on_sea * plume_shown(sea, s.before, s.eye_depth * u_pixel_angle)", "direct", ids="D35"),
 )  # fmt: skip

@@ -5,7 +5,10 @@ import pytest
 from coasts import make_beach
 from shorewright.level import Rect
 from shorewright.level.objects import Camera, Disturbance, River
+from shorewright.level.plume import EDDIES, RUNS_MPS, TILE_HALVES
 from shorewright.level.river_bed import carved
+from shorewright.level.river_flow import river_flow
+from shorewright.level.river_map import river_map
 from shorewright.level.waves import sea_at
 from shorewright.renderer import render
 
@@ -177,7 +180,8 @@ def test_banks_are_wet_a_little_above_the_water(renderer):
 
 def mouth(renderer, **settings):
     """Light out of the water along the middle from river to sea, and how far north each of it is."""
-    level = brook(levels=(3.0, 1.5, 0.0), mps=0.6, ends_m=66)
+    level = brook(levels=(3.0, 1.5, 0.0), ends_m=66)
+    level.set("flow.rivers", 1.0)
     for path in ("sea.on", "shore.on", "caustics.on", "fog.on"):
         level.set(path, False)
     for path, value in settings.items():
@@ -198,3 +202,77 @@ def test_colours_cross_the_mouth_without_a_line(renderer):
     assert added[far].max() < 0.1 * added[inland].min()
     steps = np.abs(np.diff(brown - clear, axis=0)).max(axis=1)
     assert steps[y[1:] < 75].max() < 0.25 * added.max()
+
+
+def plumes(renderer, **settings):
+    """The view `plume` of the mouth, and where its pixels lie."""
+    level = brook(levels=(3.0, 1.5, 0.0), ends_m=66)
+    level.set("flow.rivers", 1.0)
+    for path in ("sea.on", "shore.on"):
+        level.set(path, False)
+    for path, value in settings.items():
+        level.set(path.replace("__", "."), value)
+    xy = buffers(level, renderer, MOUTH)["xy"]
+    return level, seen(level, renderer, "plume", MOUTH), xy
+
+
+def test_the_plume_is_the_jets_water(renderer):
+    """D35: without eddies the shader's share of river water is the twin's, with no step to its sides."""
+    level, shown, xy = plumes(renderer, mouth__waver=0.0, mouth__seam=0.0, mouth__blocked=0.0)
+    jet = river_flow(level).mouths[0]
+    assert jet.speed_mps > RUNS_MPS
+    ahead, across = jet.off(xy[..., 0], xy[..., 1])
+    out = (ahead > 1.6 * jet.half_m) & (xy[..., 1] > 1)
+    wanted = jet.water(xy[..., 0], xy[..., 1])
+    np.testing.assert_allclose(shown[..., 0][out], wanted[out], atol=4e-3)
+    assert wanted[out].max() > 0.5
+    assert wanted[out & (np.abs(across) > 15)].max() < 0.3
+    assert not shown[..., 1].any()
+
+
+def test_eddies_push_its_edge_and_foam_lies_along_it(renderer):
+    """D35: with `waver` the edge is elsewhere, with `seam` there is foam by it and none in the middle."""
+    level, even, _ = plumes(renderer, mouth__waver=0.0)
+    _, shown, xy = plumes(renderer, mouth__waver=1.0)
+    assert np.abs(shown[..., 0] - even[..., 0]).max() > 0.1
+    jet = river_flow(level).mouths[0]
+    ahead, across = jet.off(xy[..., 0], xy[..., 1])
+    out = (ahead > 2 * jet.half_m) & (ahead < 0.6 * jet.reach_m)
+    assert even[out & (np.abs(across) > 0.8 * jet.half_m), 1].max() > 0.1
+    assert even[out & (np.abs(across) < 0.3 * jet.half_m), 1].max() < 0.02
+
+
+def test_a_still_river_has_no_plume(renderer):
+    """D35: no current, nothing goes out with it."""
+    level, shown, xy = plumes(renderer, flow__on=False)
+    jet = river_flow(level).mouths[0]
+    ahead, _ = jet.off(xy[..., 0], xy[..., 1])
+    assert not shown[ahead > 1.6 * jet.half_m].any()
+    assert shown[..., 0].max() > 0.9
+
+
+def test_chop_that_the_current_stops_is_white(renderer):
+    """D35: foam in the buffer where the map says white, none of it with `blocked` 0."""
+    covers = []
+    for blocked in (0.0, 1.0):
+        level = brook(levels=(3.0, 1.5, 0.0), ends_m=66)
+        for path, value in {"flow.rivers": 1.0, "shore.on": False, "mouth.blocked": blocked, "mouth.seam": 0.0,
+                            "mouth.flotsam": 0.0, "sea.wind_mps": 0.0, "foam.height": 0.0, "sea.chop_length_m": 3.0,
+                            "river.speed_foam": 0.0}.items():  # fmt: skip
+            level.set(path, value)
+        drawn = buffers(level, renderer, MOUTH)
+        white = river_map(level).at(*np.moveaxis(drawn["xy"].astype(float), -1, 0))["white"].v
+        covers.append((drawn["foam"][white > 0.7], drawn["foam"][(white == 0) & (drawn["xy"][..., 1] < 60)]))
+    assert covers[0][0].size > 10
+    assert covers[1][0].mean() > covers[0][0].mean() + 0.05
+    np.testing.assert_allclose(covers[1][1], covers[0][1], atol=1 / 255)
+
+
+def test_eddies_go_down_the_jet_and_round_without_a_jump(renderer):
+    """D35: after the time that a tile takes all of it is as before; half of that later it isn't."""
+    level, _, _ = plumes(renderer, mouth__blocked=0.0)
+    jet = river_flow(level).mouths[0]
+    period_s = TILE_HALVES * jet.half_m / (EDDIES * jet.speed_mps)
+    before, after, other = (seen(level, renderer, "plume", MOUTH, at * period_s) for at in (1 - 1e-5, 1 + 1e-5, 1.5))
+    assert np.abs(after - before).max() < 0.03
+    assert np.abs(other - before).max() > 0.1

@@ -119,13 +119,14 @@ def test_shares_fit_one_number():
     assert waves_of_code(code_of_waves(0.0, 0.0, 0.0, 0.7))[3] == pytest.approx(0.7)
 
 
+@pytest.mark.parametrize("source", ["depth", "travel_time"])
 @pytest.mark.parametrize(("shore", "sides"), [(True, (-0.8, 0.8)), (False, (-1.0, -0.9, 0.9, 1.0))])
-def test_no_seam_along_banks_and_mouth(shore, sides):
+def test_no_seam_along_banks_and_mouth(shore, sides, source):
     """D35: two places a millimetre apart across any border differ by less than 2 cm and 2°, at 20 moments.
 
     Shore waves kink where the bed does, which it does at the bank itself: there without them.
     """
-    level, rng = fast(**{"shore.on": shore}), np.random.default_rng(7)
+    level, rng = fast(**{"shore.on": shore, "timing.source": source}), np.random.default_rng(7)
     line = river_shape(level).lines[0]
     way = np.stack([np.gradient(line.x), np.gradient(line.y)], -1)
     way /= np.linalg.norm(way, axis=1)[:, None]
@@ -148,9 +149,10 @@ def test_no_seam_along_banks_and_mouth(shore, sides):
 
 
 @pytest.mark.gl
-def test_shader_and_twin_agree_where_waves_meet_the_jet(ctx):
+@pytest.mark.parametrize("source", ["depth", "travel_time"])
+def test_shader_and_twin_agree_where_waves_meet_the_jet(ctx, source):
     """D30, D35: 10,000 points round the mouth within a millimetre."""
-    level, rng = fast(), np.random.default_rng(3)
+    level, rng = fast(**{"timing.source": source}), np.random.default_rng(3)
     at = rng.uniform((40, 5), (80, 110), (10_000, 2))
     seen = feedback(ctx, level, 33.3, at)
     assert river_map(level).most_gain > 1.2

@@ -20,6 +20,7 @@
 #include "lib/rain_rings.glsl"
 #ifdef RIVERS
 #include "lib/river.glsl"
+#include "lib/mouth.glsl"
 #endif
 uniform sampler2D u_layer_foam;
 uniform float u_cell_m;
@@ -108,7 +109,8 @@ void main() {
     vec4 current = current_at(before), force = force_at(sea.position.xy);
 #ifdef RIVERS
     Stream stream = stream_at(sea.river, before, current.rg, force.xy, pixel_m);
-    river_water = stream.tinted;
+    Plume plume = plume_at(before, pixel_m);
+    river_water = river_tint(plume, stream.share);
     rippled = mix(rippled, smoothstep(0.0, 0.2, column), stream.own);
     ripple = mix(ripple, river_ripples(stream, before, long_m), stream.own);
 #endif
@@ -141,6 +143,9 @@ void main() {
 
     current.rg += force.xy;
     stirred = force.w;
+#ifdef RIVERS
+    stirred = max(stirred, max(plume.seam, blocked_foam(sea.river.white, before, sea.height01, u_chop_length_m, pixel_m)));
+#endif
     // a wave's face is seen straighter than the plane: what lies on it is neither blurred nor stretched like the plane's
     float face_m = min(pixel_m, pixel_metres(relative, sea.normal));
     Foam foam = sea_foam(sea, on_face(before, sea), column, sharp.x, painted.rg, current, u_show_procedural_foam, face_m);
@@ -148,6 +153,7 @@ void main() {
     vec3 white = foam_albedo(foam);
 #ifdef RIVERS
     foam = with_river_foam(foam, stream, before, painted.ba, force, u_show_procedural_foam, pixel_m, white);
+    foam = with_flotsam(foam, plume.flotsam, white);
 #endif
 
 #ifdef PLUNGE

@@ -1,4 +1,8 @@
 // What views show of rivers and their mouths (D13, D35).
+#ifdef RIVERS
+#include "lib/mouth.glsl"
+uniform float u_chop_length_m;
+#endif
 
 // Heading as hue: east red, then on to the left as a colour wheel goes; speed as brightness, full at `full_mps`.
 vec3 heading_colour(vec2 flow, float full_mps) {
@@ -25,5 +29,16 @@ vec3 mouth_shown(Sea sea) {
     return vec3(0.5 * sea.river.waves.x, 0.5 * sea.river.chop.x, sea.river.white);
 #else
     return vec3(0.5, 0.5, 0.0);
+#endif
+}
+
+// Red the share of rivers' water, green foam along the shear line, blue that of chop which the current holds up.
+vec3 plume_shown(Sea sea, vec2 before, float pixel_m) {
+#ifdef RIVERS
+    Plume plume = plume_at(before, pixel_m);
+    float held = blocked_foam(sea.river.white, before, sea.height01, u_chop_length_m, pixel_m);
+    return vec3(river_tint(plume, smoothstep(0.0, 0.6, sea.river.share)), plume.seam, held);
+#else
+    return vec3(0.0);
 #endif
 }

@@ -16,7 +16,6 @@ uniform float u_river_stagnant_albedo, u_river_stagnant_algae, u_river_stagnant_
 // What a river does at a place.
 struct Stream {
     float share;  // of its water, far out into the sea
-    float tinted; // likewise, by its colour: out there it mixes with the sea's from its sides
     float own;    // 1 where its rules alone hold, 0 where the sea's waves come whole
     vec2 raw;     // current, m/s
     vec2 eddies;  // curl noise
@@ -62,9 +61,7 @@ Stream stream_at(River river, vec2 before, vec2 current, vec2 force, float pixel
     vec3 level = river_level(before, way);
     float share = smoothstep(0.0, 0.6, river.share), own = share * (1.0 - river.waves.x);
     if (u_river_curl > 0.0) eddies = share * curl_noise(before, length(current), pixel_m);
-    float mixed = smoothstep(0.1, 0.9, length(current) + 0.5 * (noise_at(before, 23.0, pixel_m).g - 0.5));
-    float tinted = share * mix(1.0, mixed, river.waves.x);
-    return Stream(share, tinted, own, current, eddies, current + eddies + force, degrees(atan(length(level.yz))), river.rough);
+    return Stream(share, own, current, eddies, current + eddies + force, degrees(atan(length(level.yz))), river.rough);
 }
 
 // Two copies half a cycle apart, as foam_places has them, with the river's own cycle: metres to where each is read, tiles

@@ -92,6 +92,9 @@ void ride_the_sheet(Sea sea, vec2 before) {
     ShoreMasks m = sea.shore;
     float s = 1.0 - sea.bed.smoothed.x / u_shore_range_m;
     float phase = swash_phase(m), share = smoothstep(RIDES_S, CARRIED_S, s) * sea.bed.sea.x * u_shore_on * u_shore_vertex;
+#ifdef RIVERS
+    share *= 1.0 - smoothstep(0.0, 0.6, sea.river.share);  // in a mouth the current takes it along
+#endif
     float number = floor(m.arrived) + float(u_shore_cycle * u_shore_count);
     beach_ride = vec3(phase, u_shore_turns > 0 ? float(looped_wave(int(number))) : number, share);
     beach_turns = float(u_shore_turns);
