@@ -201,7 +201,9 @@ float stagnant_amount(Stream s, vec2 xy, float painted, vec4 force, bool procedu
     float slow = 1.0 - smoothstep(0.2, 1.0, length(s.raw) / u_river_stagnant_mps);
     float gathered = smoothstep(0.35, 0.75, noise_at(xy, 47.0, pixel_m).g);
     float made = procedural ? u_river_stagnant_still * slow * (1.0 - s.rough) * (0.35 + 0.65 * gathered) : 0.0;
-    float kept = 1.0 - smoothstep(0.03, 1.0, max(length(force.xy), force.w) / u_river_cut_mps);
+    // what was stirred stays open for long after the push has gone, and closes from ragged edges
+    float torn = 0.35 + 1.3 * noise_at(xy, 5.0, pixel_m).g;
+    float kept = 1.0 - max(smoothstep(1.0, 4.0, length(force.xy) / u_river_cut_mps), smoothstep(0.06, 0.30, force.w * torn));
     return s.own * kept * (1.0 - (1.0 - made) * (1.0 - saturate(painted * u_river_stagnant)));
 }
 
