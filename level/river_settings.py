@@ -48,6 +48,6 @@ class RiverLook(Section):
     stagnant_algae: float = param(0.5, 0, 1, "", "Its colour: 0 scum, 1 green algae.")
     stagnant_shadow: float = param(0.6, 0, 1, "", "How dark its shade is on the bed.")
     cut_mps: float = param(
-        0.25, 0.01, 10, "m/s", "Push of what wades and bursts from which it is cut; four times it cuts all.", soft=(0.05, 2)
+        0.25, 0.01, 10, "m/s", "Push of what wades and bursts from which it is cut; four times it: all.", soft=(0.05, 2)
     )
     wet_m: float = param(0.16, 0, 5, "m", "How far over its level the banks are wet.", soft=(0, 0.6))
