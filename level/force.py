@@ -25,6 +25,7 @@ from .settings import Force
 
 SIDE = 128
 STEP_S = 1 / 15
+FOAM_LASTS, FOAM_SPREADS = 4.0, 0.2  # foam stays longer than what made it and hardly spreads (D19)
 MEMORY = 6.0  # decay times after which nothing is left to see
 LONGEST_GAP_S = 0.5  # a clock that moved on by no more goes on from the state there is
 MOST_PUSH_MPS, BORDER = 8.0, 12  # cells over which the field dies out at its rim
@@ -177,8 +178,9 @@ def _flow(state: np.ndarray, knobs: Force) -> None:
     state[2] -= STEP_S * speed**2 / GRAVITY * divergence
     around = np.pad(state, ((0, 0), (1, 1), (1, 1)), mode="edge")
     mean = (around[:, :-2, 1:-1] + around[:, 2:, 1:-1] + around[:, 1:-1, :-2] + around[:, 1:-1, 2:]) / 4
-    state += (0.1 + 0.6 * knobs.spread) * (mean - state)
-    state *= math.exp(-STEP_S / knobs.decay_s)
+    mixed, left = 0.1 + 0.6 * knobs.spread, math.exp(-STEP_S / knobs.decay_s)
+    state[:3] = left * (state[:3] + mixed * (mean[:3] - state[:3]))
+    state[3] = left ** (1 / FOAM_LASTS) * (state[3] + FOAM_SPREADS * mixed * (mean[3] - state[3]))
     np.clip(state[:2], -MOST_PUSH_MPS, MOST_PUSH_MPS, out=state[:2])
     np.clip(state[2], -4 * knobs.limit_m, 4 * knobs.limit_m, out=state[2])
     np.clip(state[3], 0, 1, out=state[3])
@@ -189,7 +191,7 @@ def force_field(level: Level, t: float, centre: tuple[float, float]) -> ForceFie
     """The field at time t round a world point, None while nothing stirs; kept in `level.derived`."""
     knobs = level.settings.force
     movers = tuple(o for o in level.objects.values() if isinstance(o, Mover))
-    memory_s = min(MEMORY * knobs.decay_s, level.settings.time.warm_up_s)
+    memory_s = min(MEMORY * FOAM_LASTS * knobs.decay_s, level.settings.time.warm_up_s)
     bursts = tuple(o for o in level.objects.values() if isinstance(o, Disturbance) and t - memory_s <= o.time_s < t)
     if not knobs.on or not (movers or bursts):
         level.derived.pop("force", None)

@@ -5,7 +5,7 @@ import pytest
 from coasts import make_beach
 from scenes import camera
 from shorewright.level import Rect
-from shorewright.level.force import MEMORY, SIDE, STEP_S, ForceField, force_field
+from shorewright.level.force import FOAM_LASTS, MEMORY, SIDE, STEP_S, ForceField, force_field
 from shorewright.level.objects import Disturbance, Mover
 from shorewright.level.waves import sea_at
 from shorewright.renderer.offscreen import render
@@ -35,7 +35,7 @@ def test_fifty_movers_stay_bounded_and_it_comes_to_rest():
     packed = field.packed()
     assert 0.02 < np.abs(packed[..., 2]).max() <= level.settings.force.limit_m
     assert packed[..., 3].max() > 0.3
-    for _ in range(round(3 * MEMORY * level.settings.force.decay_s / STEP_S)):
+    for _ in range(round(2 * MEMORY * FOAM_LASTS * level.settings.force.decay_s / STEP_S)):
         field.step((), ())
     assert not field.state.any()
 

@@ -90,15 +90,33 @@ def test_foam_lies_on_falls_and_nowhere_else(renderer):
     edge = 43 / 7
     on_it = np.abs(y - (115 - 3.5 * edge)) < 0.3 * edge
     off_it = (np.abs(y - (115 - 3.5 * edge)) > edge) & (y > 76) & (y < 112)
+    foot = (y < 115 - 4.1 * edge) & (y > 115 - 4.6 * edge)
     assert white[on_it, 11:13].min() > 0.8
     assert white[off_it, 11:13].max() < 0.02
-    assert foam[on_it, 11:13].mean() > 0.6
-    assert foam[off_it, 11:13].max() < 0.02
+    assert foam[on_it, 11:13].mean() > 0.3
+    assert foam[off_it & ((y > 101) | (y < 79)), 11:13].max() < 0.02
+    assert foam[foot, 11:13].mean() > 0.3  # it boils where it comes down, and calms down
+
+
+def test_a_fall_is_clear_over_its_lip(renderer):
+    """D16: it comes down clear as far as the knob says, then breaks up; its strands go down with it."""
+    level = brook(levels=(6.0, 5.98, 5.96, 5.94, 3.0, 2.98, 2.96, 2.94))
+    covers, edge = [], 43 / 7
+    for clear_m in (0.0, 1.2, 6.0):
+        level.set("river.fall_clear_m", clear_m)
+        drawn = buffers(level, renderer)
+        y = drawn["xy"][:, 12, 1]
+        covers.append(drawn["foam"][np.abs(y - (115 - 3.5 * edge)) < 0.4 * edge, 11:13].mean())
+    assert covers[0] > covers[1] + 0.03 > covers[2] + 0.06
+    later = buffers(level, renderer, time_s=3.2)["foam"]
+    assert np.abs(later - drawn["foam"])[:, 11:13].max() > 0.02
 
 
 def test_a_step_of_the_bed_draws_no_line_of_foam(renderer):
     """D16: no foam by depth on rivers, and none of the sea's shore."""
     level = brook(mps=2.0)
+    level.set("river.speed_low_mps", 1.0)
+    level.set("river.speed_high_mps", 3.6)
     before = middle(buffers(level, renderer)["foam"])
     assert 0.02 < before.mean() < 0.9
     bed = Rect(90, 20, 98, 29)

@@ -152,7 +152,7 @@ void main() {
 
     vec3 white = foam_albedo(foam);
 #ifdef RIVERS
-    foam = with_river_foam(foam, stream, before, painted.ba, force, u_show_procedural_foam, pixel_m, white);
+    foam = with_river_foam(foam, stream, before, painted.ba, force, u_show_procedural_foam, face_m, white);
     foam = with_flotsam(foam, plume.flotsam, white);
 #endif
 

@@ -3,12 +3,14 @@
 #include "level/river.glsl"
 #include "lib/noise.glsl"
 #include "lib/foam.glsl"
+#include "lib/current.glsl"
 
 uniform vec3 u_river_cycle;  // as u_foam_cycle: part of a cycle, number of whole ones, seconds a cycle
 uniform float u_river_turns;
 uniform float u_river_curl, u_river_curl_m;
 uniform float u_river_speed_foam, u_river_speed_low_mps, u_river_speed_high_mps;
 uniform float u_river_fall_foam, u_river_fall_low_deg, u_river_fall_high_deg;
+uniform float u_river_wake_foam, u_river_fall_clear_m, u_river_strand_m;
 uniform float u_river_turbulent, u_river_turbulent_tile_m, u_river_turbulent_albedo, u_river_streak_m;
 uniform float u_river_stagnant, u_river_stagnant_still, u_river_stagnant_mps, u_river_stagnant_tile_m;
 uniform float u_river_stagnant_albedo, u_river_stagnant_algae, u_river_stagnant_shadow, u_river_cut_mps;
@@ -22,7 +24,15 @@ struct Stream {
     vec2 flow;    // their sum, with what pushes the water
     float lean;   // steepness of its level, degrees
     float rough;  // 0 … 1
+    vec2 way;     // downstream
+    float fallen; // metres that it has come down over the last few
+    float drops;  // 1 where it falls free, 0 where it runs over its bed
+    float boils;  // 1 at the foot of a fall, 0 where it has calmed down
+    float spent;  // head in metres that its speed has lost: behind and before boulders, under narrows; <0 gained
 };
+
+// How far back upstream a place looks for what it has come over: a fall's lip, the boils' end, a boulder's lee.
+const float LIP_M = 6.0, BOIL_M = 13.0, LEE_M = 2.2, EARTH_G = 9.81;
 
 // The map evened out over a cell, with slopes that have no steps: level over the sea, a dual, and the way downstream. A
 // quadratic B-spline through nine samples.
@@ -47,6 +57,31 @@ vec3 river_level(vec2 xy, out vec2 way) {
     return over_sea(level - vec3(u_tide_m, 0.0, 0.0));
 }
 
+// Level alone, over the sea.
+float river_stage(vec2 xy) {
+    ivec2 size = bed_size();
+    vec2 at = clamp(xy / u_bed_cell_m, vec2(0.0), vec2(size) - 1.001), f = fract(at);
+    ivec2 cell = ivec2(at) + ivec2(0, size.y);
+    vec2 south = vec2(texelFetch(u_bed, cell, 0).x, texelFetch(u_bed, cell + ivec2(1, 0), 0).x);
+    vec2 north = vec2(texelFetch(u_bed, cell + ivec2(0, 1), 0).x, texelFetch(u_bed, cell + 1, 0).x);
+    vec2 column = mix(south, north, f.y);
+    return max(mix(column.x, column.y, f.x) - u_tide_m, 0.0);
+}
+
+// What the water has come over: metres fallen, whether it falls free, how it boils, head spent.
+vec4 river_past(vec2 xy, vec2 way, float level_m, float lean, vec2 current) {
+    if (dot(way, way) < 0.5) return vec4(0.0);
+    float lip_m = river_stage(xy - LIP_M * way), fallen = max(lip_m - level_m, 0.0);
+    float before = max(river_stage(xy - BOIL_M * way) - level_m, 0.0), boils = 0.0;
+    float calm = 1.0 - smoothstep(15.0, 40.0, lean);
+    // a long slide has no lip to fall from: steep above as well
+    float slide = smoothstep(1.2, 3.0, before - fallen) * (1.0 - calm);
+    boils = calm * max(smoothstep(0.5, 2.6, fallen), 0.62 * smoothstep(1.0, 4.0, before));
+    vec2 came = current_at(xy - LEE_M * way).rg;
+    float spent = (dot(came, came) - dot(current, current)) / (2.0 * EARTH_G);
+    return vec4(fallen, (1.0 - calm) * (1.0 - slide), boils, spent);
+}
+
 // Curl of a noise: eddies that neither gather nor thin out what they carry, as fast as the flow's `speed` at most.
 vec2 curl_noise(vec2 xy, float speed, float pixel_m) {
     float side = 9.0 * u_river_curl_m, off = 0.16 * u_river_curl_m, p = max(pixel_m, off);
@@ -61,7 +96,10 @@ Stream stream_at(River river, vec2 before, vec2 current, vec2 force, float pixel
     vec3 level = river_level(before, way);
     float share = smoothstep(0.0, 0.6, river.share), own = share * (1.0 - river.waves.x);
     if (u_river_curl > 0.0) eddies = share * curl_noise(before, length(current), pixel_m);
-    return Stream(share, own, current, eddies, current + eddies + force, degrees(atan(length(level.yz))), river.rough);
+    float lean = degrees(atan(length(level.yz)));
+    vec4 past = share > 0.05 ? share * river_past(before, way, level.x, lean, current) : vec4(0.0);
+    return Stream(share, own, current, eddies, current + eddies + force, lean, river.rough, way,
+                  past.x, past.y, past.z, past.w);
 }
 
 // Two copies half a cycle apart, as foam_places has them, with the river's own cycle: metres to where each is read, tiles
@@ -147,8 +185,12 @@ float fall_foam(float lean) {
 // Amount of turbulent foam: by speed (D15) and by the lean of the water's own level (D16) together, then the paint.
 float turbulent_amount(Stream s, float painted, bool procedural) {
     float made = 1.0 - (1.0 - u_river_speed_foam * speed_foam(s.raw)) * (1.0 - u_river_fall_foam * fall_foam(s.lean));
+    float wakes = u_river_wake_foam * smoothstep(0.0, 0.45, s.spent);
+    made = 1.0 - (1.0 - made) * (1.0 - 0.62 * wakes) * (1.0 - 0.80 * u_river_fall_foam * s.boils);
     made = procedural ? min(made * u_foam_amount, 1.0) : 0.0;
-    return s.share * (1.0 - (1.0 - made) * (1.0 - saturate(painted * u_river_turbulent)));
+    // where water gathers speed it runs glassy: tongues between boulders
+    float glassy = u_river_wake_foam * smoothstep(0.01, 0.22, -s.spent) * (1.0 - fall_foam(s.lean));
+    return s.share * (1.0 - 0.7 * glassy) * (1.0 - (1.0 - made) * (1.0 - saturate(painted * u_river_turbulent)));
 }
 
 // Amount of stagnant foam; what pushes the water cuts it, and it grows back as the push fades (D19).
@@ -156,7 +198,9 @@ float stagnant_amount(Stream s, vec2 xy, float painted, vec4 force, bool procedu
     float slow = 1.0 - smoothstep(0.2, 1.0, length(s.raw) / u_river_stagnant_mps);
     float gathered = smoothstep(0.35, 0.75, noise_at(xy, 47.0, pixel_m).g);
     float made = procedural ? u_river_stagnant_still * slow * (1.0 - s.rough) * (0.35 + 0.65 * gathered) : 0.0;
-    float kept = 1.0 - smoothstep(0.03, 1.0, max(length(force.xy), force.w) / u_river_cut_mps);
+    // what was stirred stays open for long after the push has gone, and closes from ragged edges
+    float torn = 0.35 + 1.3 * noise_at(xy, 5.0, pixel_m).g;
+    float kept = 1.0 - max(smoothstep(1.0, 4.0, length(force.xy) / u_river_cut_mps), smoothstep(0.06, 0.30, force.w * torn));
     return s.own * kept * (1.0 - (1.0 - made) * (1.0 - saturate(painted * u_river_stagnant)));
 }
 
@@ -165,12 +209,16 @@ vec3 stagnant_albedo(Foam foam) {
     return colour * (u_river_stagnant_albedo * mix(0.75, 1.2, foam.relief));
 }
 
+#include "lib/river_fall.glsl"
+
 // Both layers over the sea's foam, which is left as far as its waves come; `albedo` is that of them all. `painted`:
 // stagnant, turbulent.
 Foam with_river_foam(Foam sea, Stream s, vec2 xy, vec2 painted, vec4 force, bool procedural, float pixel_m, inout vec3 albedo) {
     sea.cover *= 1.0 - s.own;
     sea.bubbles *= 1.0 - s.own;
     Foam fast = turbulent_foam(xy, s.flow, turbulent_amount(s, painted.y, procedural), pixel_m);
+    float hangs = procedural ? s.drops * min(u_river_fall_foam, 1.0) : 0.0;
+    if (hangs > 0.01) fast = mixed_foam(fast, curtain_foam(s, xy, pixel_m), hangs);
     Foam slow = stagnant_foam(xy, s.flow, stagnant_amount(s, xy, painted.x, force, procedural, pixel_m), pixel_m);
     vec3 fast_albedo = foam_albedo(fast) * u_river_turbulent_albedo;
     vec3 shares = vec3(sea.cover * (1.0 - fast.cover), fast.cover, slow.cover * (1.0 - fast.cover) * (1.0 - sea.cover));
