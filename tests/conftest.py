@@ -28,9 +28,9 @@ DATA = TESTS.parents[1] / "shared" / "data"
 
 
 # The slowest files begin: two processes share the files, and one that begins last is waited for.
-FIRST = ("test_window_weather", "test_goldens", "test_window_panels", "test_window", "test_shaping_coasts", "test_window_fronts",
-         "test_sample_levels", "test_window_time", "test_renderer_surface", "test_views", "test_slow_map", "test_renderer",
-         "test_shots")  # fmt: skip
+FIRST = ("test_window_weather", "test_goldens", "test_window_panels", "test_window", "test_shaping_coasts",
+         "test_window_fronts", "test_sample_levels", "test_window_time", "test_renderer_surface", "test_views",
+         "test_slow_map", "test_renderer", "test_shots")  # fmt: skip
 
 
 def pytest_collection_modifyitems(items) -> None:
