@@ -16,7 +16,8 @@ from ..level import BadInput
 from ..level.objects import Camera
 from ..level.sun import light_angles
 from ..renderer.show import Inset, Overlays
-from .actions import ACTIONS, Action
+from .action import Action
+from .actions import ACTIONS
 from .arrival_lender import ArrivalLender
 from .camera_control import between
 from .front_drag import FrontDrag

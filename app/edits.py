@@ -12,10 +12,10 @@ from ..level.params import get, replace
 from ..level.preset_cover import covered
 from ..level.reshape import crop, crop_rect, replace_base, resize, resized_grid
 from ..level.wave_lists import uncounted
-from . import recovery_record
-from . import script as words
+from . import recovery_record, words
 from .front_edits import FrontEdits
 from .imported import imported_height
+from .script import Script, parse
 from .shot_edits import unpacked
 
 
@@ -166,14 +166,14 @@ class Edits(FrontEdits):
     @property
     def script(self) -> dict:
         """What was done so far, as plain data that `run` takes."""
-        return words.Script(actions=self.record).dump()
+        return Script(actions=self.record).dump()
 
-    def run(self, script: dict | words.Script, name: str = "the script", progress=None) -> int:
+    def run(self, script: dict | Script, name: str = "the script", progress=None) -> int:
         """Do everything in a script, checked first; returns how many actions.
 
         BadInput names the number of the action that failed; what was done before it stays, as steps to undo.
         """
-        script = words.parse(script, name)
+        script = parse(script, name)
         self._rehearse(script, name)
         for number, action in enumerate(script.actions, 1):
             try:
@@ -184,7 +184,7 @@ class Edits(FrontEdits):
                 progress(number, len(script.actions))
         return len(script.actions)
 
-    def _rehearse(self, script: words.Script, name: str) -> None:
+    def _rehearse(self, script: Script, name: str) -> None:
         """Find unknown brushes, parameters and settings before anything is done."""
         settings = self.level.settings
         for number, action in enumerate(script.actions, 1):

@@ -15,7 +15,7 @@ from ..level import BadInput, Journal, Level, Rect
 from ..level.grid import NOWHERE
 from ..level.shaping import Shaped, Shaping, shape_front
 from ..level.shaping_lines import crest_near, dragged
-from . import script as words
+from . import words
 from .shaping_lender import ShapingLender
 
 LABEL = "Shape front"

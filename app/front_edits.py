@@ -8,7 +8,7 @@ from ..level.grid import Rect
 from ..level.params import Section, param, replace, row
 from ..level.shaping import Shaped
 from ..level.shaping_limits import SLOPE_DEG
-from . import script as words
+from . import words
 from .front_drag import FrontDrag, settled
 from .shaping_lender import ShapingLender
 from .shot_edits import Shots

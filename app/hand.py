@@ -8,7 +8,7 @@ from ..brushes import BRUSHES, Stroke
 from ..level import BadInput, Journal, Level, Rect
 from ..level.grid import NOWHERE
 from ..level.params import Section, replace, row
-from . import script as words
+from . import words
 from .steps import Steps
 
 

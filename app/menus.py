@@ -7,7 +7,8 @@ from imgui_bundle import hello_imgui, imgui
 from ..level.environments import environment_of
 from ..level.weather_presets import weather_of
 from . import keys, theme
-from .actions import ACTIONS, Action
+from .action import Action
+from .actions import ACTIONS
 from .editor import OVERLAYS, QUALITIES, Editor
 from .tools import BRUSH
 

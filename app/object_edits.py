@@ -12,7 +12,7 @@ from ..level.params import replace, sentence
 from ..level.pins import check_pins, pinned
 from ..level.wave_fit import fit_to_shore
 from ..level.wave_lists import refuse_crowd
-from . import script as words
+from . import words
 from .prop_edits import Props
 
 

@@ -8,7 +8,7 @@ from typing import Any
 from ..level import Level
 from ..level.meshes import STAND_IN
 from ..level.pick import ground_at
-from . import script as words
+from . import words
 from .weather_edits import WeatherMaps
 
 

@@ -11,7 +11,7 @@ from ..level.objects import River
 from ..level.river_bed import carved
 from ..level.river_edit import deleted, extended, inserted, snapped
 from ..level.river_trace import begun
-from . import script as words
+from . import words
 from .object_edits import Objects
 
 FREEBOARD_M = 0.1  # a hollow filled without a level stays so far below its brim

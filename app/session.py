@@ -19,7 +19,7 @@ from ..level.framing import cameras, frame
 from ..level.objects import Camera
 from ..level.params import Section
 from ..level.sun import stand_at
-from . import script as words
+from . import words
 from .edits import Edits
 from .imported import imported_height
 from .spill import FileStore

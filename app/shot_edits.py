@@ -14,7 +14,7 @@ from ..level.objects import Camera, Shot
 from ..level.shot_skies import laid_on, paint_of, sky_at, sky_of_paint
 from ..level.shots import SHAPE, sky_name, sky_of
 from ..level.tiles import pack, unpack
-from . import script as words
+from . import words
 from .object_edits import checked_object
 from .river_edits import RiverEdits
 

@@ -7,7 +7,7 @@ from contextlib import contextmanager
 
 from ..level import Journal, Level
 from ..level.journal import Step
-from . import script as words
+from . import words
 from .recovery import RecoveryLog
 
 

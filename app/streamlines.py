@@ -15,7 +15,6 @@ from ..level.flow import Current, current
 from ..level.flow_arrows import on_water, still_over_sea, with_heads
 from ..renderer.show import Streamlines
 
-ACROSS = 72  # lines that lie beside each other along a level's longer side
 LEAST_MPS = 0.01  # slower water is still
 LONGEST = 40.0  # of a line, in their distance
 LEAST_CELLS = 3
@@ -28,14 +27,14 @@ BETWEEN_HEADS = 8  # of it
 
 def streamlines(level: Level) -> Streamlines:
     """Those of a level as it is now."""
-    return _over(level, traced(current(level)))
+    return _over(level, traced(current(level), level.settings.flow.streamlines))
 
 
 class StreamlineView:
     """Streamlines for a window: traced in a thread whenever the current is another one; nothing runs unless asked."""
 
     def __init__(self) -> None:
-        self._of: Current | None = None
+        self._of: tuple[Current, int] | None = None
         self._shown: Streamlines | None = None
         self._thread: threading.Thread | None = None
         self._made: list[np.ndarray] | None = None
@@ -50,15 +49,15 @@ class StreamlineView:
         if self._thread is not None and not self._thread.is_alive():
             self._thread = None
             self._shown = None if self._made is None else _over(level, self._made)
-        water = current(level)
-        if self._of is not water and self._thread is None:
-            self._of, self._made = water, None
-            self._thread = threading.Thread(target=self._trace, args=(water,), name="streamlines", daemon=True)
+        water, across = current(level), level.settings.flow.streamlines
+        if not (self._of and self._of[0] is water and self._of[1] == across) and self._thread is None:
+            self._of, self._made = (water, across), None
+            self._thread = threading.Thread(target=self._trace, args=self._of, name="streamlines", daemon=True)
             self._thread.start()
         return self._shown
 
-    def _trace(self, water: Current) -> None:
-        self._made = traced(water)
+    def _trace(self, water: Current, across: int) -> None:
+        self._made = traced(water, across)
 
 
 def _over(level: Level, lines: list[np.ndarray]) -> Streamlines:
@@ -70,10 +69,13 @@ def _over(level: Level, lines: list[np.ndarray]) -> Streamlines:
     return Streamlines(tuple(np.split(np.insert(points, 2, over, axis=1), ends)))
 
 
-def traced(water: Current) -> list[np.ndarray]:
-    """Lines `(n, 3)` of x, y, m/s, the way the water runs, heads along it: from few seeds first, then into the gaps."""
+def traced(water: Current, across: int) -> list[np.ndarray]:
+    """Lines `(n, 3)` of x, y, m/s, the way the water runs, heads along it: from few seeds first, then into the gaps.
+
+    `across` lie beside each other along the longer side, or as many as cells leave room for.
+    """
     rows, cols = water.packed.shape[:2]
-    apart_m = max(max(rows, cols) * water.cell_m / ACROSS, LEAST_CELLS * water.cell_m)
+    apart_m = max(max(rows, cols) * water.cell_m / across, LEAST_CELLS * water.cell_m)
     taken: set[tuple[int, int]] = set()
     kept: list[np.ndarray] = []
     for every_m in (4 * apart_m, 2 * apart_m, apart_m):

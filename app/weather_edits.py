@@ -9,7 +9,7 @@ import numpy as np
 from ..level import Clock
 from ..level.sky_maps import laid_over
 from ..level.weather import paint_place
-from . import script as words
+from . import words
 from .hand import Hand
 
 

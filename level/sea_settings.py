@@ -29,6 +29,8 @@ class Flow(Section):
     noise_m: float = param(14.0, 1, 500, "m", "Size of that difference.", soft=(5, 40))
     export_mps: float = param(0.0, 0, 1000, "m/s", "What an exported 8-bit map holds either way; 0: the smallest power "
                               "of two that holds all.", soft=(0, 8))  # fmt: skip
+    streamlines: int = param(72, 8, 240, "", "Streamlines beside each other along the level's longer side (T02).",
+                             soft=(24, 144))  # fmt: skip
 
 
 class Foam(Section):

@@ -10,31 +10,28 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from .arrival import arrival, arrival_uniforms, shore_at
+from .arrival import arrival, shore_at
 from .arrival_map import ArrivalMap
 from .beach_map import NO_BEACH_M, beach_map
-from .breaking import BREAK_S, break_rate, breaking_uniforms, feels_from, overhang_m
+from .breaking import BREAK_S, break_rate, feels_from, overhang_m
 from .dual import Dual, at_most, step
 from .force import ForceField
-from .gerstner import Deformed, Fronts, phase_noise, shift, shifted, through, travel
+from .gerstner import Deformed, Fronts, phase_noise, through
 from .level import Level
 from .loop import moment
 from .noise import lattice
-from .outline import region_weight
-from .patches import beach_contact, overrides, patch_shore, patch_uniforms
-from .pins import later, pin_uniforms, pinned
-from .plume import mouth_uniforms
-from .river_map import has_rivers, river_map
-from .river_water import River, river_at, river_uniforms
+from .offshore import offshore
+from .patches import beach_contact, patch_shore
+from .pins import later
+from .river_map import river_map
+from .river_water import River, river_at
 from .sea_keys import fronts_at, largest_amplitude_m
-from .shore import ShoreMap, shore_map
-from .shore_swash import uprush
-from .shore_waves import ShoreMasks, Travel, before_waves, clock_uniforms, s_cycles, shore_masks
+from .shore import shore_map
+from .shore_waves import ShoreMasks, Travel, before_waves, s_cycles, shore_masks
 from .spline import second_order
 from .uncarried import Moved, uncarried
-from .wave_lists import counted, wave_regions
-from .wave_objects import HIGH, LOW, most_height_m, object_uniforms, objects_shift, objects_water
-from .wave_regions import ahead, front_rows, keeps_times, most_amplitude, region_fronts, region_uniforms
+from .wave_objects import most_height_m
+from .wave_regions import most_amplitude
 from .weather_keys import level_at
 
 DEEP_M = 4.0  # there is no sand that the slice knows
@@ -59,61 +56,6 @@ class SeaSample:
     depth_m: np.ndarray
     clock_depth_m: np.ndarray
     sheet_m: np.ndarray
-
-
-def _weight(level: Level, bed: dict[str, Dual]) -> Dual:
-    sea = level.settings.sea
-    full = max(sea.deep_full_m, sea.deep_start_m + 1e-3)
-    return step(sea.deep_start_m, full, bed["smoothed"]) * bed["sea"] * float(sea.on)
-
-
-def _offshore(
-    level: Level, shore: ShoreMap, fronts: list[Fronts], made: ArrivalMap | None, t: float, x, y
-) -> tuple[Deformed, Dual]:
-    bed = shore.at(x, y, level.tide_m)
-    weight = chop = _weight(level, bed)
-    water = bed
-    if has_rivers(level):
-        river = river_at(level, t, x, y)
-        water = objects_water(level.settings.sea, bed, river)
-        weight, chop = weight * river.waves, weight * river.chop
-    point = Deformed(Dual(x, 1.0, 0.0), Dual(y, 0.0, 1.0), Dual(np.zeros_like(x)))
-    for which, group in zip((HIGH, LOW)[-len(fronts) :], fronts, strict=True):
-        added = objects_shift(level, which, t, point.x, point.y, x, y, water)  # of the same base as the group (H06)
-        moved = _group_shift(level, group, point, t, x, y, made if which == LOW else None)
-        point = shifted(point, moved, weight if which == LOW else chop)
-        point = shifted(point, added, Dual(1.0))
-    return point, weight
-
-
-def _group_shift(
-    level: Level, group: Fronts, point: Deformed, t: float, x, y, made: ArrivalMap | None
-) -> tuple[Dual, Dual, Dual]:
-    """What one group of full weight moves points, in regions of swell blended with theirs (D32)."""
-    sea = level.settings.sea
-
-    def noises(fronts: Fronts, begin) -> list[Dual]:
-        first, *others = (phase_noise(sea, fronts, i, x, y) + cycles for i, cycles in enumerate(begin))
-        return [first if made is None else later(level, t, x, y, first), *others]
-
-    def of(fronts: Fronts, begin) -> tuple[Dual, Dual, Dual]:
-        return shift(point, fronts, t, noises(fronts, begin))
-
-    still = np.zeros(len(group.length_m))
-    passing = None if made is None else made.at(point.x.v, point.y.v)
-
-    def passed(fronts: Fronts) -> tuple[Dual, Dual, Dual]:
-        return of(fronts, still) if passing is None else travel(point, fronts, t, noises(fronts, still), passing)
-
-    moved = passed(group)
-    for region in wave_regions(level):
-        weight = region_weight(region, x, y)
-        if np.any(weight.v > 0):
-            its = region_fronts(group, region)
-            travels = passing is not None and keeps_times(region)
-            there = passed(its) if travels else of(its, ahead(group, its, region))
-            moved = tuple(a + (b - a) * weight for a, b in zip(moved, there, strict=True))
-    return moved
 
 
 def _under(level: Level, bed: dict[str, Dual], sand: Dual) -> np.ndarray:
@@ -179,7 +121,7 @@ def surface_at(
     x, y = np.broadcast_arrays(np.asarray(before_x, np.float64), np.asarray(before_y, np.float64))
     shore = shore_map(level)
     fronts, made = fronts_at(level, t)[1 if skip_chop else 0 :], arrival(level, t)
-    point, weight = _offshore(level, shore, fronts, made, t, x, y)
+    point, weight = offshore(level, shore, fronts, made, t, x, y)
     after_x, after_y = point.x.v, point.y.v
     here = _shore_waves(level, t, fronts, made, after_x, after_y)
     bed, sand, masks = here.bed, here.sand, here.masks
@@ -225,7 +167,7 @@ def sea_at(level: Level, t: float, x, y, skip_chop: bool = False, force: ForceFi
         x, y = _before_breaking(level, t, fronts, made, x, y)
     before_x, before_y = x.copy(), y.copy()
     for _ in range(INVERSIONS):
-        point, _ = _offshore(level, shore, fronts, made, t, before_x, before_y)
+        point, _ = offshore(level, shore, fronts, made, t, before_x, before_y)
         off_x, off_y = x - point.x.v, y - point.y.v
         before_x, before_y = before_x + off_x, before_y + off_y
         if max(np.abs(off_x).max(initial=0), np.abs(off_y).max(initial=0)) < 1e-6:
@@ -270,64 +212,3 @@ def largest_height_m(level: Level) -> float:
     offshore, rivers = largest_amplitude_m(level) * most_amplitude(level), river_map(level)
     gain = 1.0 if rivers is None else rivers.most_gain
     return gain * max(sea_height_m(level), offshore) + most_height_m(level)
-
-
-def wave_uniforms(level: Level, t: float) -> dict[str, float | int | np.ndarray]:
-    """The value of every uniform that the level's GLSL declares, samplers excepted, at time t."""
-    level, t = level_at(level, t), moment(t, level.settings.time.loop_s)
-    settings = level.settings
-    sea, shore = settings.sea, shore_at(level, t)
-    groups = fronts_at(level, t)
-    way, size, turn = zip(*(row for group in groups for row in front_rows(group, sea.phase_noise, t)), strict=True)
-    names = ("range_m", "width", "gap", "runup", "back", "fall", "height_m", "draw_m", "fade_in", "fade_out")
-    return {
-        "u_front_way": np.array(way, np.float32),
-        "u_front_size": np.array(size, np.float32),
-        "u_front_turn": np.array(turn, np.float32),
-        "u_phase_noise_m": sea.phase_noise_m,
-        **clock_uniforms(shore, t, settings.time.loop_s),
-        **{f"u_shore_{name}": float(getattr(shore, name)) for name in names},
-        "u_shore_variety": shore.variety,
-        "u_shore_variety_m": shore.variety_m,
-        "u_shore_runup_variety": shore.runup_variety,
-        "u_shore_runup_by_slope": shore.runup_by_slope,
-        "u_shore_interval_s": shore.interval_s,
-        "u_shore_stagger": shore.stagger,
-        "u_shore_count": shore.count,
-        "u_shore_uprush": uprush(shore),
-        "u_shore_on": float(shore.on),
-        "u_shore_vertex": float(shore.vertex),
-        "u_sea_on": float(sea.on),
-        "u_sea_level_m": level.sea_level_m,
-        "u_tide_m": level.tide_m,
-        "u_tide_on": settings.tide.on,
-        "u_deep_start_m": sea.deep_start_m,
-        "u_deep_full_m": max(sea.deep_full_m, sea.deep_start_m + 1e-3),
-        "u_wave_height_m": sea_height_m(level),  # foam elsewhere stays when an object is placed
-        "u_bed_cell_m": shore_map(level).cell_m,
-        "u_bed_rows": len(shore_map(level).packed),
-        **river_uniforms(level, t),
-        **mouth_uniforms(level, t),
-        **patch_uniforms(level),
-        "u_beach_cell_m": beach_map(level).cell_m,
-        **arrival_uniforms(arrival(level, t), settings.timing.share),
-        **pin_uniforms(level, t),
-        "u_shore_sway": shore.sway,
-        "u_shore_slide": float(shore.slide),
-        **object_uniforms(level, t),
-        **region_uniforms(level, groups, sea.phase_noise, t),
-        **breaking_uniforms(shore, s_cycles(shore)),
-    }
-
-
-def wave_defines(level: Level) -> dict[str, str]:
-    """What the level's GLSL is compiled with for what it has; without that it is what it was."""
-    asked = {
-        "WAVE_OBJECTS": counted(level)[0],
-        "WAVE_REGIONS": wave_regions(level),
-        "PATCHED": overrides(level),
-        "PINS": pinned(level),
-        "RIVERS": has_rivers(level),
-        "PLUNGE": level.settings.shore.plunge > 0,
-    }
-    return {name: "" for name, on in asked.items() if on}

@@ -139,7 +139,7 @@ class Frame:
 
     def shader(self, name: str, without: tuple[str, ...] = (), **defines: str):
         """A program with this frame's uniforms and textures bound; `without` some defines of what the level has."""
-        from ..level.waves import wave_defines
+        from ..level.wave_uniforms import wave_defines
         from .uniforms import bind_textures, set_uniforms
 
         if name in WITH_WAVES:

@@ -17,7 +17,7 @@ from ..level.rings import MOST, rings
 from ..level.shore_field import shore_field
 from ..level.tide import band_m, left_s
 from ..level.water_table import table_in_use
-from ..level.waves import wave_uniforms
+from ..level.wave_uniforms import wave_uniforms
 from .look import look_uniforms, wave_slopes
 from .quality import APRON_DEPTH_M, APRON_M
 

@@ -6,7 +6,7 @@ from shorewright.level.beach_map import beach_map
 from shorewright.level.river_map import river_map
 from shorewright.level.shore import shore_map
 from shorewright.level.tables import tables
-from shorewright.level.waves import wave_defines, wave_uniforms
+from shorewright.level.wave_uniforms import wave_defines, wave_uniforms
 from shorewright.renderer.program import resolve
 from shorewright.renderer.uniforms import set_uniforms
 

@@ -9,7 +9,7 @@ from shorewright.app.editor import Editor
 from shorewright.app.object_grip import Grip
 from shorewright.app.object_markers import at_pixel, markers, outlines, shown
 from shorewright.app.panels import gradient
-from shorewright.app.panels.objects_panel import HIDDEN_FIELDS, fields
+from shorewright.app.panels.object_fields import HIDDEN_FIELDS, fields
 from shorewright.app.preferences import Preferences
 from shorewright.app.session import Session
 from shorewright.app.tools import BRUSH, FRONT, LAKE, SELECT, TOOLS, pick_tool, put_away

@@ -7,8 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from shorewright.app import script as words
-from shorewright.app import sky_brush
+from shorewright.app import script, sky_brush
 from shorewright.app.map_sight import CLOSEST_M, Sight
 from shorewright.app.session import Session
 from shorewright.brushes import BRUSHES
@@ -73,7 +72,7 @@ def test_a_stroke_plays_again_at_any_time(session, tmp_path):
     session.scrub(777.0)
     sky_brush.choose(session, "showers")
     stroke(session, (0, 3000), (4000, 3500), (9000, -2000))
-    recorded = json.loads(json.dumps(words.Script(actions=session.record).dump()))
+    recorded = json.loads(json.dumps(script.Script(actions=session.record).dump()))
     with Session.new(Grid(65, 65), spill_root=tmp_path) as other:
         other.scrub(31_000.0)
         other.run(recorded)

@@ -61,6 +61,16 @@ def test_lines_are_evenly_spread_over_water():
     assert streamlines(Level(Grid(9, 9), np.full((9, 9), -3.0, np.float32))).lines == ()
 
 
+def test_as_many_lie_beside_each_other_as_are_asked_for():
+    """T02: twice as many across the level, twice as many lines at least; no nearer than cells leave room for."""
+    level, lines = whirl(), {}
+    for across in (12, 24, 32, 72):
+        level.set("flow.streamlines", across)
+        lines[across] = streamlines(level).lines
+    assert len(lines[24]) > 2 * len(lines[12]) > 20
+    assert all(np.array_equal(a, b) for a, b in zip(lines[32], lines[72], strict=True))
+
+
 def test_they_are_traced_once_for_a_current():
     """In a thread, kept by the current: what is drawn meanwhile are the ones before."""
     level, view = whirl(64), StreamlineView()

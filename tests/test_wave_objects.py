@@ -21,7 +21,8 @@ from shorewright.level.wave_objects import (
     wave_pass,
 )  # fmt: skip
 from shorewright.level.wave_regions import ahead, region_fronts
-from shorewright.level.waves import largest_height_m, sea_at, surface_at, wave_defines
+from shorewright.level.wave_uniforms import wave_defines
+from shorewright.level.waves import largest_height_m, sea_at, surface_at
 
 WEEK = 7 * 86_400.0
 

@@ -10,7 +10,8 @@ from shorewright.level.meshes import block
 from shorewright.level.objects import Camera, FlowPoint, Prop, WeatherKey
 from shorewright.level.params import get
 from shorewright.level.sea_keys import fronts_at
-from shorewright.level.waves import largest_height_m, sea_at, surface_at, wave_uniforms
+from shorewright.level.wave_uniforms import wave_uniforms
+from shorewright.level.waves import largest_height_m, sea_at, surface_at
 from shorewright.level.weather import weather_at, weather_map
 from shorewright.level.weather_keys import KEYED, level_at, points_change, run_m, sky_areas
 from shorewright.level.weather_presets import SKY, WEATHERS

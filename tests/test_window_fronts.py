@@ -1,12 +1,11 @@
 """A crest dragged by a real mouse in the real window (T07)."""
 
 import pytest
-from test_window import display, drive, ground  # noqa: F401 (fixtures)
 
 pytestmark = pytest.mark.window
 
 
-def test_drag_a_crest(drive):  # noqa: F811
+def test_drag_a_crest(drive):
     """T07, T01: pauses, grabs a crest, the bed follows live; one step; time runs on; undo; Esc."""
     found = drive("shape", by="window_fronts.py")
     assert found["tool"] == "front"
@@ -30,7 +29,7 @@ def test_drag_a_crest(drive):  # noqa: F811
     assert found["larger"] > 30
 
 
-def test_draw_a_crest(drive):  # noqa: F811
+def test_draw_a_crest(drive):
     """T07: Shift draws the line anew; one step."""
     found = drive("anew", by="window_fronts.py")
     assert found["drawing"]
@@ -39,7 +38,7 @@ def test_draw_a_crest(drive):  # noqa: F811
     assert found["drawn_ground"] != found["start"]
 
 
-def test_what_limits_forbid_is_told(drive):  # noqa: F811
+def test_what_limits_forbid_is_told(drive):
     """T07: a slope limit leaves the crest short by so many metres."""
     (told, *_) = drive("held", by="window_fronts.py")["forbidden"]
     assert "m short: slope limit" in told

@@ -1,12 +1,11 @@
 """The real window: what is painted, how, in which shape and where is chosen in the brush's panel (T03)."""
 
 import pytest
-from test_window import display, drive  # noqa: F401
 
 pytestmark = pytest.mark.window
 
 
-def test_layer_mode_shape_and_limit_are_chosen_by_hand(drive):  # noqa: F811
+def test_layer_mode_shape_and_limit_are_chosen_by_hand(drive):
     """T03: the stroke lands on the layer, within the limit, as one step."""
     found = drive("paint", by="window_paint.py")
     assert found["bad"] == []

@@ -1,12 +1,11 @@
 """The real window: a river dropped, drawn about, widened, raised, carved by the mouse; a hollow filled (D13)."""
 
 import pytest
-from test_window import display, drive  # noqa: F401
 
 pytestmark = pytest.mark.window
 
 
-def test_a_river_is_worked_by_the_mouse(drive):  # noqa: F811
+def test_a_river_is_worked_by_the_mouse(drive):
     """D13: each drag changes its own numbers of one point and is one step; a slope holds no lake and says so."""
     found = drive("river", by="window_rivers.py")
     assert found["bad"] == []

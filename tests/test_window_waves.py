@@ -1,12 +1,11 @@
 """The real window: a wave object dropped, moved, turned, sized, bent and aimed by the mouse (H08 H09)."""
 
 import pytest
-from test_window import display, drive  # noqa: F401
 
 pytestmark = pytest.mark.window
 
 
-def test_a_wave_object_is_worked_by_the_mouse(drive):  # noqa: F811
+def test_a_wave_object_is_worked_by_the_mouse(drive):
     """H08, H09: each drag changes its own field and is one step; the fit is one more."""
     found = drive("wave_object", by="window_waves.py")
     assert found["bad"] == []

@@ -1,6 +1,6 @@
 """Works the real window by imgui's test engine, as a person would, and writes down what came of it.
 
-Run by test_window.py in a process of its own: `python window_drive.py SCENARIO LEVEL RECORD.json [SCREENSHOT]`.
+Run by the fixture `drive` in a process of its own: `python window_drive.py SCENARIO LEVEL RECORD.json [SCREENSHOT]`.
 Skies, shots and named weather are worked by window_weather.py.
 docs/pictures/editor.jpg is `portrait` of a copy of sample_levels/cove.shore.
 """
