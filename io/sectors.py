@@ -2,9 +2,10 @@
 
 Row 0 of the file is the **north** edge (top of the picture), the level's row 0 is south. A single map is channel `Y`,
 two are R and G (with an empty B, since some readers want three), four are R, G, B and A, more are C4, C5 … besides;
-float32 or half as LAYERS says, ZIP. Which 128² tiles were written stands in the attribute `shorewright:written`: one
-digit a tile, rows from south to north, parted by `/`. A tile counts as written when its digit is 1 or any of its
-samples isn't zero, so a file that another tool has saved again loses nothing but tiles painted with plain zero.
+float32, or half where that holds every sample exactly, ZIP. Which 128² tiles were written stands in the attribute
+`shorewright:written`: one digit a tile, rows from south to north, parted by `/`. A tile counts as written when
+its digit is 1 or any of its samples isn't zero, so a file that another tool has saved again loses nothing but tiles
+painted with plain zero.
 """
 
 from __future__ import annotations

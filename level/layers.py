@@ -18,7 +18,9 @@ WEATHER_GRID = Grid(512, 512, 70_000 / 512, origin_m=(-35_000.0, -35_000.0), wra
 
 @dataclass(frozen=True)
 class Layer:
-    """A row: `half` layers are rounded to float16 when a stroke is released and in the file.
+    """A row: `half` layers lie as float16 on the graphics card, and in a file where that says every sample exactly.
+
+    In memory all are float32: strokes too soft for a half float (under 1/4096 near 1) add up over any number of them.
 
     Paint keeps between `low` and `high`.
     """
@@ -147,7 +149,7 @@ class LayerData:
 
     def round(self, values: np.ndarray) -> np.ndarray:
         """Values as the file will hold them."""
-        return values.astype(np.float16).astype(np.float32) if self.row.half else values.astype(np.float32)
+        return values.astype(np.float32)
 
     # A tile is saved before its first write, settled when the stroke is released, swapped by undo and redo.
 
