@@ -16,7 +16,7 @@ from shorewright.level.river_trace import begun
 from shorewright.renderer import render
 from test_rivers import coast, down, valley
 
-LEAST = 100  # of 255
+LEAST = 70  # of 255
 
 
 def put(level, river, carve=True):

@@ -184,6 +184,7 @@ void main() {
     depth += 1.3 * face;
     float still_depth = sea.bed.depth.x + sea.still;
     vec3 from_below = light_from_below(land.rgb, still_depth, bed_xy, depth, cosine, sun, sky, pixel_m);
+    if (sky_behind) from_below += sky_irradiance(-to_eye) / 3.14159265 * water_transmittance(CREST_M);
     vec2 shade_at = foam_shade_place(before, still_depth);
     float shade = foam_shade(shade_at, painted_foam(shade_at).rg, current_at(shade_at), pixel_m);
 #ifdef RIVERS

@@ -30,6 +30,7 @@ const float CREST_M = 0.6;  // of water before the sky where a river stands abov
 
 // Colour and thickness of the land below, looked up where the wave bends the view; never from before the water. Where
 // `higher` than an eye in the air, the sky is behind no more than a river's crest, elsewhere behind a sea.
+bool sky_behind = false;  // of the pixel that was asked last
 vec4 below(vec3 normal, float eye_depth, float away, bool higher) {
     ivec2 size = textureSize(under_eye_depth, 0), here = ivec2(gl_FragCoord.xy);
     vec2 bent = vec2(here) + 0.5;
@@ -44,6 +45,7 @@ vec4 below(vec3 normal, float eye_depth, float away, bool higher) {
         bent = vec2(here) + 0.5;
         depth = texelFetch(under_eye_depth, here, 0).r;
     }
+    sky_behind = higher && depth <= 0.0;
     float thickness = depth > eye_depth ? (depth - eye_depth) * away / eye_depth : (depth > 0.0 ? 0.0 : higher ? CREST_M : 1e4);
 #ifdef PLATE
     return vec4(through_plates(vec2(here) + 0.5, bent, thickness), thickness);
