@@ -8,7 +8,7 @@ from .grid import Rect
 from .level import Level
 from .objects import River
 from .river_join import line_of, own_line, rivers
-from .river_map import along
+from .river_laid import along
 
 BANK_RISE_M = 0.35  # a bank stands so far over the water
 BANK_M = 1.5  # over this way it gets there

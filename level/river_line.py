@@ -7,6 +7,7 @@ and speed through a monotone one, so that water never runs uphill between two po
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
@@ -82,6 +83,7 @@ def _spline(knots: np.ndarray, step_m: float) -> tuple[np.ndarray, np.ndarray]:
     return np.concatenate(places), np.concatenate(among)
 
 
+@lru_cache(maxsize=64)
 def centre_line(river: River, sea_m: float, step_m: float = STEP_M) -> Line:
     """The dense line of a river; where its last point lies at the sea's level or near it, with a tail out to sea."""
     from scipy.interpolate import PchipInterpolator

@@ -19,6 +19,7 @@ from .dual import Dual
 from .level import Level
 from .objects import River
 from .river_join import line_of, main_first, rivers, runs_to_sea
+from .river_laid import near_line
 from .river_line import Line
 from .shore import MOST_SIDE
 
@@ -30,6 +31,7 @@ NOBODY, PAINTED = -1, -2
 CODE_STEPS, CODE_ONE = 511, 255  # 255 steps stand for waves as they are, or their share 1 would not be exact
 ROUGH_FALL = (0.004, 0.06)  # slope of the water at which it is smooth, wholly rough
 FALL = 0.2, 0.6  # slope of the water at which its edges begin to stay, stay sharp
+CARRIED_CELLS = 4.0  # the level goes on so far past the rim of what is smoothed
 SMOOTH_CELLS = 1.2  # sigma over which the level is even across the inside of a bend
 
 
@@ -136,90 +138,70 @@ def _made(level: Level, lines: tuple[River, ...], key: tuple) -> RiverMap:
     return made
 
 
-@dataclass
-class Laid:
-    """A line on a window of a grid: what the nearest of its points is `(rows, cols)`, and how far away.
-
-    `near`: within reach of it; elsewhere the rest means nothing.
-    """
-
-    rows: slice
-    cols: slice
-    nearest: np.ndarray
-    off_m: np.ndarray  # metres across
-    ahead_m: np.ndarray  # metres along, beyond that point
-    near: np.ndarray
-
-
-def along(line: Line, shape: tuple[int, int], cell_m: float, beyond_m: float) -> Laid:
-    """Where the samples of a grid lie along a line, up to `beyond_m` past its width."""
-    from scipy.spatial import cKDTree
-
-    reach = float(line.half_m.max()) + beyond_m
-    low = [int(np.clip((v.min() - reach) // cell_m, 0, n)) for v, n in zip((line.y, line.x), shape, strict=True)]
-    high = [int(np.clip((v.max() + reach) // cell_m + 2, 0, n)) for v, n in zip((line.y, line.x), shape, strict=True)]
-    rows, cols = (slice(a, max(b, a)) for a, b in zip(low, high, strict=True))
-    y, x = np.mgrid[rows, cols] * cell_m
-    nearest, off_m, ahead_m = np.zeros(y.shape, np.int64), np.full(y.shape, np.inf), np.zeros(y.shape)
-    near = _near(line, y, x, cell_m, reach)
-    off_m[near], nearest[near] = cKDTree(np.stack([line.x, line.y], -1)).query(np.stack([x[near], y[near]], -1))
-    near &= off_m <= line.half_m[nearest] + beyond_m
-    way = np.stack([np.gradient(line.x), np.gradient(line.y)])
-    way /= np.maximum(np.hypot(*way), 1e-9)
-    ahead_m[near] = ((x - line.x[nearest]) * way[0][nearest] + (y - line.y[nearest]) * way[1][nearest])[near]
-    return Laid(rows, cols, nearest, off_m, ahead_m, near)
-
-
-def _near(line: Line, y: np.ndarray, x: np.ndarray, cell_m: float, reach: float) -> np.ndarray:
-    """Which samples may lie within reach of the line: only those are asked for the nearest point."""
-    near = np.zeros(y.shape, bool)
-    if near.size:
-        row = np.clip(((line.y - y[0, 0]) / cell_m).astype(int), 0, y.shape[0] - 1)
-        col = np.clip(((line.x - x[0, 0]) / cell_m).astype(int), 0, y.shape[1] - 1)
-        near[row, col] = True
-        near = ndimage.distance_transform_edt(~near) <= reach / cell_m + 2
-    return near
-
-
 def _lay(made: RiverMap, which: int, sea_m: float) -> None:
     """A river over what the map has there: where two meet, the one that a place is more inside of."""
     packed, line, cell_m = made.packed, made.lines[which], made.cell_m
     bank_m = BANK_CELLS * cell_m
-    laid = along(line, packed.shape[:2], cell_m, bank_m)
-    i, here = laid.nearest, packed[laid.rows, laid.cols]
-    along_m, last = line.along_m[i] + laid.ahead_m, len(line.x) - 1
-    share = np.clip((line.half_m[i] + bank_m - laid.off_m) / (bank_m - cell_m), 0, 1)  # it falls off under the bank
-    share[(i == last) & (laid.ahead_m > 0) | (i == 0) & (laid.ahead_m < -bank_m)] = 0.0
+    near = near_line(line, packed.shape[:2], cell_m, bank_m)
+    i = near.nearest
+    along_m, last = line.along_m[i] + near.ahead_m, len(line.x) - 1
+    share = np.clip((line.half_m[i] + bank_m - near.off_m) / (bank_m - cell_m), 0, 1)  # it falls off under the bank
+    share[(i == last) & (near.ahead_m > 0) | (i == 0) & (near.ahead_m < -bank_m)] = 0.0
     if line.mouth <= last:
         tail_m = line.along_m[-1] - line.along_m[line.mouth]
         share *= np.clip((line.along_m[-1] - along_m) / (0.4 * tail_m), 0, 1)
     fall = np.gradient(line.level_m, line.along_m)
     rough = np.clip((-fall - ROUGH_FALL[0]) / (ROUGH_FALL[1] - ROUGH_FALL[0]), 0, 1)
-    level_m = line.level_m[i] + fall[i] * np.clip(laid.ahead_m, -1, 1) - sea_m
-    more = share > here[..., 1]
-    for channel, values in enumerate((level_m, share, along_m, -rough[i])):
-        here[..., channel][more] = values[more]
-    made.owner[laid.rows, laid.cols][more] = which
-    made.nearest[laid.rows, laid.cols][more] = i[more]
+    level_m = line.level_m[i] + fall[i] * np.clip(near.ahead_m, -1, 1) - sea_m
+    more = share > packed[near.row, near.col, 1]
+    at = near.row[more], near.col[more]
+    packed[at] = np.stack([level_m, share, along_m, -rough[i]], axis=-1)[more]
+    made.owner[at] = which
+    made.nearest[at] = i[more]
+
+
+@dataclass(frozen=True)
+class Painted:
+    """Painted water on the map's samples, kept while nobody paints: share `(rows, cols)` and its level over zero, m."""
+
+    key: tuple
+    share: np.ndarray
+    level_m: np.ndarray
+
+
+def _painted(level: Level, stride: int) -> Painted | None:
+    """Painted water whose level goes on under its banks as at the nearest painted place; None without any."""
+    layers = [level.layers[name] for name in ("river_mask", "river_surface")]
+    if layers[0].neutral:
+        return None
+    key = (*(level.layer_revision(data.row.name) for data in layers), stride)
+    have = level.derived.get("painted_water")
+    if have is None or have.key != key:
+        mask, surface = (data.read(level.grid.rect)[::stride, ::stride] for data in layers)
+        inside = mask > 0.5
+        if not inside.any():
+            return None
+        away, (row, col) = ndimage.distance_transform_edt(~inside, return_indices=True)
+        share = np.clip((1.5 * BANK_CELLS - away) / BANK_CELLS, 0, 1).astype(np.float32)
+        have = level.derived["painted_water"] = Painted(key, share, surface[row, col])
+    return have
 
 
 def _paint(made: RiverMap, level: Level, stride: int) -> None:
-    """Painted water over the rivers; its level goes on under its banks as at the nearest painted place."""
+    """Painted water over the rivers."""
+    water = _painted(level, stride)
+    if water is None:
+        return
     packed = made.packed
-    if level.layers["river_mask"].neutral:
-        return
-    mask, surface = (level.layers[name].read(level.grid.rect)[::stride, ::stride] for name in
-                     ("river_mask", "river_surface"))  # fmt: skip
-    inside = mask > 0.5
-    if not inside.any():
-        return
-    away, (row, col) = ndimage.distance_transform_edt(~inside, return_indices=True)
-    share = np.clip((1.5 * BANK_CELLS - away) / BANK_CELLS, 0, 1)
-    more = share >= np.maximum(packed[..., 1], 1e-6)
-    made.owner[more & (packed[..., 1] < 0.5)] = PAINTED  # within a river it is that river's water
-    packed[..., 0] = np.where(more, surface[row, col] - level.mean_sea_m, packed[..., 0])
-    packed[..., 1] = np.where(more, share, packed[..., 1])
-    packed[..., 3] = np.where(more, 0.0, packed[..., 3])
+    row, col = np.nonzero(water.share > 0)
+    share, there = water.share[row, col], packed[row, col]
+    more = share >= np.maximum(there[:, 1], 1e-6)
+    row, col, share, there = row[more], col[more], share[more], there[more]
+    alone = there[:, 1] < 0.5  # within a river it is that river's water
+    made.owner[row[alone], col[alone]] = PAINTED
+    there[:, 0] = water.level_m[row, col] - level.mean_sea_m
+    there[:, 1], there[:, 3] = share, 0.0
+    packed[row, col] = there
 
 
 def _falls(made: RiverMap) -> np.ndarray:
@@ -236,15 +218,17 @@ def _even(packed: np.ndarray, falls: np.ndarray) -> None:
     """The level a little smoothed within the water but for the edge of falls (0 … 1), then carried on past its rim, so
     that no filter meets a hole.
     """
-    own = packed[..., 1] > 0
+    level_m, own = np.ascontiguousarray(packed[..., 0]), packed[..., 1] > 0
     if not own.any():
         return
     weight = ndimage.gaussian_filter(own.astype(np.float32), SMOOTH_CELLS)
-    stage = ndimage.gaussian_filter(np.where(own, packed[..., 0], 0).astype(np.float32), SMOOTH_CELLS)
+    stage = ndimage.gaussian_filter(np.where(own, level_m, np.float32(0)), SMOOTH_CELLS)
     near = weight > 1e-3
-    kept = np.where(own, falls, 0.0)
-    stage = stage / np.maximum(weight, 1e-3)
-    packed[..., 0] = np.where(near, stage + kept * (packed[..., 0] - stage), 0.0)
-    away, (row, col) = ndimage.distance_transform_edt(~near, return_indices=True)
-    packed[..., 0] = np.where(away < 4, packed[row, col, 0], 0.0)
-    packed[..., 3] = np.where(own, packed[..., 3], np.where(away < 4, packed[row, col, 3], 0.0))
+    stage /= np.maximum(weight, 1e-3)
+    kept = np.nonzero(own & (falls > 0))
+    stage[kept] += falls[kept] * (level_m[kept] - stage[kept])
+    stage[~near] = 0.0
+    away, (from_row, from_col) = ndimage.distance_transform_edt(~near, return_indices=True)
+    row, col = np.nonzero((away > 0) & (away < CARRIED_CELLS))
+    stage[row, col] = stage[from_row[row, col], from_col[row, col]]
+    packed[..., 0] = stage
