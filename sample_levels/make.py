@@ -74,7 +74,7 @@ ISLAND_SETTINGS = {
     "ground.sand_top_m": 3.0,
 }
 DELTA_CAMERAS = [
-    Camera(id="play", x=300, y=120, z=56, yaw_deg=320, pitch_deg=-52, fov_deg=48),
+    Camera(id="play", x=304, y=128, z=58, yaw_deg=306, pitch_deg=-55, fov_deg=48),
     Camera(id="beach", x=238, y=121, z=2.2, yaw_deg=28, pitch_deg=3, fov_deg=50),
     Camera(id="survey", x=470, y=690, z=150, yaw_deg=208, pitch_deg=-20, fov_deg=52),
     Camera(id="coast", x=400, y=-60, z=120, yaw_deg=345, pitch_deg=-18, fov_deg=50),
