@@ -6,6 +6,7 @@ shallows, round rocks and through painted lakes, and has no seam at the middle a
 A river's discharge is the geometric mean along it of its points' speed times the wet cross-section: the speed that the
 water then has comes as near to what the points say as one discharge can. It comes in over the first cross-section,
 leaves over the last one before the sea; where a river ends or begins in other water it passes on what flows there.
+Painted water that no line runs through flows from its highest rim to its lowest where its level falls; else it stands.
 """
 
 from __future__ import annotations
@@ -80,9 +81,12 @@ class RiverFlowRequest(Request["RiverFlow"]):
     cell_m: float
     lines: tuple[Line, ...]
     corner: tuple[int, int]
+    level_m: np.ndarray  # of the water, `(rows, cols)`
+    painted_mps: float = 0.0  # the mean speed of painted water that no line runs through
 
     def kept(self) -> RiverFlowRequest:
-        return replace(self, **{name: np.array(getattr(self, name)) for name in ("depth_m", "owner", "nearest")})
+        arrays = ("depth_m", "owner", "nearest", "level_m")
+        return replace(self, **{name: np.array(getattr(self, name)) for name in arrays})
 
     @property
     def answer_bytes(self) -> int:
@@ -92,7 +96,7 @@ class RiverFlowRequest(Request["RiverFlow"]):
         cells = np.count_nonzero(self.depth_m)
         if cells > MOST_CELLS:
             return self._coarsely()
-        if cells and self.lines:
+        if cells and (self.lines or self.painted_mps > 0):
             velocity, mouths = Solve(self).done()
         else:
             velocity, mouths = np.zeros((*self.depth_m.shape, 2), np.float32), ()
@@ -107,7 +111,7 @@ class RiverFlowRequest(Request["RiverFlow"]):
         depth = np.where(wet >= 2, quads.sum((1, 3)) / np.maximum(wet, 1), 0).astype(np.float32)
         firsts = (slice(0, 2 * rows, 2), slice(0, 2 * cols, 2))
         half = replace(self, depth_m=depth, owner=self.owner[firsts], nearest=self.nearest[firsts],
-                       cell_m=2 * self.cell_m).answered()  # fmt: skip
+                       level_m=self.level_m[firsts], cell_m=2 * self.cell_m).answered()  # fmt: skip
         known = np.zeros(self.depth_m.shape, bool)
         known[: 2 * rows, : 2 * cols] = np.repeat(np.repeat(half.wet, 2, 0), 2, 1)
         row, col = ndimage.distance_transform_edt(~known, return_distances=False, return_indices=True)
@@ -128,7 +132,7 @@ def river_flow(level: Level) -> RiverFlow | None:
     have = level.derived.get("river_flow")
     if have is not None and level.live:
         return have
-    key = (made.key, level.layer_revision("height"))
+    key = (made.key, level.layer_revision("height"), level.settings.river.painted_mps)
     if have is not None and have.key == key:
         return have
     if have is None or level.solver is None:
@@ -153,5 +157,6 @@ def flow_request(level: Level, made: RiverMap) -> RiverFlowRequest:
     window = (slice(row, int(rows[-1]) + 3), slice(col, int(cols[-1]) + 3)) if len(rows) else np.s_[:1, :1]
     depth = np.where(wet, depth, 0).astype(np.float32)
     return RiverFlowRequest(
-        depth[window], made.owner[window], made.nearest[window], made.cell_m, made.lines, (row, col)
-    )
+        depth[window], made.owner[window], made.nearest[window], made.cell_m, made.lines, (row, col),
+        np.ascontiguousarray(made.packed[window][..., 0]), float(level.settings.river.painted_mps),
+    )  # fmt: skip

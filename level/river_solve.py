@@ -18,6 +18,8 @@ SHALLOW_M = 0.1  # water counts as no shallower, or a film would rush
 EVEN_CELLS = 1.0  # sigma over which its depth is evened: a current doesn't know single stones that it covers
 LEAST_CELLS = 16  # less is a puddle
 FASTEST_MPS = 15.0
+FALLS_M = 0.1  # painted water whose level falls by less stands
+RIM_SHARE = 0.04  # of that fall: cells so near to its highest and lowest level are where it comes in and leaves
 
 
 def evened(depth_m: np.ndarray) -> np.ndarray:
@@ -56,6 +58,7 @@ class Solve:
         self.depth = evened(asked.depth_m).astype(np.float64)
         self.source, self.leaves = np.zeros(self.shape), np.zeros(self.shape)  # m³/s into a cell; to the sea, × φ
         self.cut = np.zeros(self.shape, bool)  # where water comes in or leaves: a face of those cells is missing
+        self.paced: list[int] = []  # bodies of painted water alone
         self.areas = [self._sections(which) for which in range(len(asked.lines))]
         self.exits: dict[int, np.ndarray] = {}
 
@@ -85,14 +88,17 @@ class Solve:
             return np.zeros((*self.shape, 2), np.float32), ()
         there = flows[self.parts]
         head = self._solved(there)
-        return self._velocity(head, there), tuple(self._mouth(which, head) for which in sorted(self.exits))
+        velocity = self._velocity(head, there)
+        for part in self.paced:
+            self._pace(velocity, self.parts == part)
+        return velocity, tuple(self._mouth(which, head) for which in sorted(self.exits))
 
     def _open(self, part: int, discharge: list[float]) -> bool:
         """Where the water of one body comes in and where it leaves; False where it stands still."""
         body = self.parts == part
         ends = self._ends(body, discharge)
         if not ends:
-            return False
+            return self._falls(part, body)
         painted = body & (self.asked.owner == PAINTED)
         springs = [end for end in ends if not end.fed] or [end for end in ends if not end.branches]
         for end in springs or ends:
@@ -109,6 +115,29 @@ class Solve:
         for end in ends:
             self.cut |= end.first
         return True
+
+    def _falls(self, part: int, body: np.ndarray) -> bool:
+        """Whether painted water runs by itself, for its level falls: in at its highest rim, out at its lowest."""
+        asked = self.asked
+        level_m = asked.level_m[body]
+        fall_m = float(np.ptp(level_m))
+        if asked.painted_mps <= 0 or fall_m < FALLS_M or (asked.owner[body] >= 0).any():
+            return False
+        first = body & (asked.level_m >= level_m.max() - RIM_SHARE * fall_m)
+        last = body & (asked.level_m <= level_m.min() + RIM_SHARE * fall_m)
+        self._into(first, 1.0)
+        self.leaves[last] += self.depth[last]
+        self.cut |= first | last
+        self.paced.append(part)
+        return True
+
+    def _pace(self, velocity: np.ndarray, body: np.ndarray) -> None:
+        """The body's mean speed is what was asked for: its flow is solved for 1 m³/s, and goes in proportion."""
+        speed = np.hypot(velocity[body, 0], velocity[body, 1])
+        mean = float(np.average(speed, weights=self.depth[body]))
+        if mean > 0:
+            faster = self.asked.painted_mps / mean
+            velocity[body] *= np.minimum(faster, FASTEST_MPS / np.maximum(speed, 1e-9))[:, None]
 
     def _into(self, cells: np.ndarray, discharge: float) -> None:
         self.source[cells] += discharge * self.depth[cells] / self.depth[cells].sum()

@@ -101,6 +101,36 @@ def test_a_painted_lake_carries_what_comes_and_a_pool_stands():
     assert pool[:, : 21 - flow.corner[1]].max() == 0
 
 
+def painted_river(fall_m=3.0):
+    """A bent ditch in flat ground, painted full of water whose level falls to the south."""
+    level = make_beach(rows=161, cols=121)
+    y, x = np.mgrid[20:140, 20:100].astype(float)
+    middle = 60 + 12 * np.sin(y / 18)
+    water = 6 + fall_m * (y - 20) / 120
+    across = np.abs(x - middle) / (5 + 2 * np.sin(y / 9))
+    rect = Rect(20, 20, 140, 100)
+    level.write("height", rect, np.where(across < 1, water - 1.2 * (1 - across**2), water + 0.5))
+    level.write("river_mask", rect, (across < 1).astype(np.float32))
+    level.write("river_surface", rect, water)
+    return level
+
+
+def test_painted_water_runs_where_its_level_falls():
+    """D13: as much through every section within 1 %, at the mean speed asked for; level water stands."""
+    level = painted_river()
+    flow = river_flow(level)
+    flux = through_rows(flow)[4:-4]  # between its rims
+    assert flux.mean() > 0.5
+    np.testing.assert_allclose(flux, flux.mean(), rtol=0.01)
+    speed = np.hypot(flow.velocity[..., 0], flow.velocity[..., 1])
+    assert np.average(speed[flow.wet], weights=flow.depth_m[flow.wet]) == pytest.approx(0.7, rel=0.02)
+    level.set("river.painted_mps", 1.4)
+    np.testing.assert_allclose(river_flow(level).velocity, 2 * flow.velocity, rtol=1e-4, atol=1e-5)
+    level.set("river.painted_mps", 0.0)
+    assert not river_flow(level).velocity.any()
+    assert not river_flow(painted_river(fall_m=0.0)).velocity.any()
+
+
 def test_the_current_is_the_rivers_in_its_water_and_not_the_shores():
     """D06: no pull to the shore, no foam by its distance in a river; paint comes on top; a knob scales it."""
     level = coast((60, 155, STRAIGHT))
