@@ -17,6 +17,7 @@ from .effects.maps import Maps
 from .effects.paint import Paint
 from .effects.ramp import Ramp
 from .effects.smooth import Smooth
+from .effects.water import Water
 from .effects.weather import Weather
 from .footprint import Footprint, Round, Strip
 from .params import (
@@ -27,6 +28,7 @@ from .params import (
     RaiseParams,
     RampParams,
     SmoothParams,
+    WaterParams,
     WeatherParams,
 )
 from .path import AlongPath, LinePath
@@ -208,6 +210,18 @@ BRUSHES: dict[str, Brush] = {
             FlowParams,
             "The current runs the way of the stroke. Ctrl does the contrary.",
             inverse="Erase flow",
+        ),
+        Brush(
+            "water",
+            "Water",
+            "U",
+            Water,
+            Round,
+            AlongPath,
+            "river_mask",
+            WaterParams,
+            "Lakes, ponds and streams at any height, wherever the ground lies lower. Ctrl takes water away.",
+            inverse="Dry out",
         ),
     )
 }

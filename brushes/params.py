@@ -118,6 +118,14 @@ class MapParams(AlphaParams, MapChoice):
     build_up: bool = param(False, doc="Each dab does its share, so that rubbing goes on; opacity is the most it does.")
 
 
+class WaterParams(LimitedParams):
+    size_m: float = param(6.0, 0.01, 100_000, "m", "Radius.", soft=(1, 60))
+    falloff: float = param(0.2, 0, 1, "", "Part of the radius over which the brush fades; water has a hard edge in it.")
+    mode: Literal["level", "follow"] = param(
+        "level", doc="Level, as high as where the stroke began, or going down with the ground.")  # fmt: skip
+    depth_m: float = param(0.6, 0.03, 100, "m", "How deep it is where it is painted on dry ground.", soft=(0.1, 3))
+
+
 class FlowChoice(Section):
     """What the flow brush does (T02)."""
 

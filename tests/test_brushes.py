@@ -34,7 +34,7 @@ def test_a_row_is_complete(brush):
 
 def test_the_brushes_have_their_own_keys():
     assert list(BRUSHES) == ["raise", "lower", "smooth", "flatten", "ramp", "rocks", "driftwood", "tufts", "weather",
-                             "paint", "flow"]  # fmt: skip
+                             "paint", "flow", "water"]  # fmt: skip
     assert len({brush.key for brush in BRUSHES.values()}) == len(BRUSHES)
 
 
