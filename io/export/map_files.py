@@ -6,12 +6,15 @@ research, files 3) and for floats they go into EXR: float32, ZIP, channel Y or R
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
 from .codes import CODES, decoded, encoded
+from .earlier import Piece
 from .job import Job
 from .manifest import describe_file
 from .map_makers import MapRow, Samples
@@ -32,16 +35,22 @@ class MapStyle:
     green_down: bool = False
 
 
-def write_maps(job: Job, style: MapStyle) -> tuple[list[FileRecord], list[MapProbe]]:
+def write_maps(job: Job, style: MapStyle, rows: Mapping[str, MapRow] = MAPS) -> Piece:
     """All chosen maps that the level has anything of, and places to check them by."""
-    files, probes = [], []
-    for name, row in MAPS.items():
-        samples = row.make(job.level) if name in job.maps else None
-        if samples is not None:
-            record, some = write_map(job, row, samples, style)
-            files.append(record)
-            probes += some
-    return files, probes
+    all_of = Piece()
+    for row in rows.values():
+        made = job.piece(row.name, partial(_piece, job, row, style), row.follows)
+        all_of.files += made.files
+        all_of.map_probes += made.map_probes
+    return all_of
+
+
+def _piece(job: Job, row: MapRow, style: MapStyle) -> Piece:
+    samples = row.make(job.level)
+    if samples is None:
+        return Piece()
+    record, probes = write_map(job, row, samples, style)
+    return Piece([record], map_probes=probes)
 
 
 def write_map(job: Job, row: MapRow, samples: Samples, style: MapStyle) -> tuple[FileRecord, list[MapProbe]]:

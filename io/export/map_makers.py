@@ -38,7 +38,8 @@ class MapRow:
     """One map: `code` is one of CODES, `bits` those that it needs in a picture of whole numbers.
 
     `north` is the channel with a part to the north, which targets whose second axis goes south turn round; `green` that
-    of a normal map, turned for those that want green down.
+    of a normal map, turned for those that want green down. `follows` are the layers that it is made of; () stands for
+    all a level holds.
     """
 
     name: str
@@ -49,6 +50,7 @@ class MapRow:
     bits: int = 16
     north: int | None = None
     green: int | None = None
+    follows: tuple[str, ...] = ()
 
 
 def painted(name: str) -> MapRow:
@@ -63,7 +65,7 @@ def painted(name: str) -> MapRow:
 
     label = layer.label.lower()
     channels = tuple(Channel(name=c, meaning=f"{label}: {c}", unit=layer.unit, neutral=0) for c in layer.channels)
-    return MapRow(name, layer.doc, channels, make, "signed" if layer.low < 0 else "unsigned", 8)
+    return MapRow(name, layer.doc, channels, make, "signed" if layer.low < 0 else "unsigned", 8, follows=(name,))
 
 
 def normals(level: Level) -> Samples:

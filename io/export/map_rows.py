@@ -23,7 +23,7 @@ MAPS: dict[str, MapRow] = {
         MapRow("normals", "Normals of the ground, unit length.",
                (_c("east", "normal's part to the east", "", 0), _c("north", "normal's part to the north", "", 0),
                 _c("up", "normal's part upwards", "", 1)),
-               make.normals, "signed", green=1),
+               make.normals, "signed", green=1, follows=("height",)),
         MapRow("flow16", "The whole current in 16 bits: shore, points, rivers, jets, paint; exactly 0 where still.",
                (_c("east", "current to the east", "m/s", 0), _c("north", "current to the north", "m/s", 0)),
                make.flow, "signed", north=1),
