@@ -255,6 +255,10 @@ def test_files_by_dialog(drive):
     assert ground(saved) == found["height"] != original
     assert found["suggested"].endswith("other_raw")
     assert any(name.endswith(".glb") for name in found["exported"])
+    assert found["frames"] > 10  # the window went on drawing
+    assert found["begun"]
+    assert not found["cancelled"]
+    assert "cancelled" in found["told"]
     assert "nowhere.shore" in found["error"]
     assert found["still_open"]
     assert found["reopened"] == str(drive.path)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from . import maps
+from .beat import beat
 from .earlier import Piece
 from .job import Job
 from .layout import Layout, Tile, resampling
@@ -40,16 +41,16 @@ def write_heights(job: Job, layout: Layout, words: Words, name_of: Callable[[Til
         ground = ((rows, z - sea) for rows, z in maps.bilinear(height, tile.rows_at, tile.cols_at))
         maps.write_u16(path, ground, words.low_m, words.step_m)
         files.append(_record(job, path, tile, words, doc).model_copy(update={"resampling": lost}))
-        job.tell("height")
+        beat(len(files) / (layout.tile_rows * layout.tile_cols))
     return Piece(files)
 
 
 def _record(job: Job, path, tile: Tile, words: Words, doc: str) -> FileRecord:
     height, sea = job.level.height, job.level.sea_level_m
     side = len(tile.rows_at)
-    stored = maps.open_u16(path, side, len(tile.cols_at))
+    stored = maps.read_u16(path, side, len(tile.cols_at))
     truth = maps.bilinear(height, tile.rows_at, tile.cols_at)
-    error_m = maps.largest_difference(maps.row_blocks(stored), truth, lambda values: words.decode(values) + sea)
+    error_m = maps.largest_difference(stored, truth, lambda values: words.decode(values) + sea)
     return describe_file(
         path,
         map="height",

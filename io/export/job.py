@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from ...level import BadInput, Level
+from .beat import hearing
 from .earlier import Earlier, Piece
 from .engine_records import Options
 from .follows import follows_sha256
@@ -48,16 +49,17 @@ class Job:
         key = follows_sha256(self.level, asked, follows, self.hashes)
         found = self.earlier.take(name, key, self.folder) if self.earlier else None
         if found is None:
-            found = make()
+            with hearing(lambda share: self.tell(name, share)):
+                found = make()
             found.files = [record.model_copy(update={"follows_sha256": key}) for record in found.files]
         if not found.files:
             self.empty[name] = key
         self.done += 1
         return found
 
-    def tell(self, sentence: str) -> None:
-        """Report what comes next; Cancelled when that isn't wanted any more."""
-        if self.progress and self.progress(min(self.done / max(len(self.maps), 1), 1.0), sentence) is False:
+    def tell(self, name: str, share: float = 0.0) -> None:
+        """Report that this share of a map is done; Cancelled when no more of it is wanted."""
+        if self.progress and self.progress((self.done + share) / len(self.maps), name) is False:
             raise Cancelled("the export was cancelled")
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from ...level import LAYERS, Level
 from ...level.layers import WEATHER_GRID
+from .beat import beat
 from .records import Channel
 
 NO_WAVE_S = -60_000.0  # a half float still holds it
@@ -20,13 +21,28 @@ STILL_MPS = 1e-4
 
 
 @dataclass(frozen=True)
+class Rows:
+    """float32 `(rows, cols, channels)` that are made some rows at a time: a large map never lies in memory as such."""
+
+    shape: tuple[int, int, int]
+    read: Callable[[int, int], np.ndarray]  # rows from … to
+
+    def __array__(self, dtype=None, copy=None) -> np.ndarray:
+        return np.asarray(self.read(0, self.shape[0]), dtype)
+
+    def __getitem__(self, rows: slice) -> np.ndarray:
+        start, stop, _ = rows.indices(self.shape[0])
+        return self.read(start, stop)
+
+
+@dataclass(frozen=True)
 class Samples:
     """float32 `(rows, cols, channels)`, row 0 south, `cell_m` apart; whole numbers reach from `low` to `high`.
 
     Both are one number for all channels, or a tuple. `numbers` go into the record, beside the code's.
     """
 
-    values: np.ndarray
+    values: np.ndarray | Rows
     cell_m: float
     low: float | tuple[float, ...] = 0.0
     high: float | tuple[float, ...] = 1.0
@@ -69,9 +85,18 @@ def painted(name: str) -> MapRow:
 
 
 def normals(level: Level) -> Samples:
-    north, east = np.gradient(level.height.astype(np.float32), level.grid.cell_m)
-    up = 1 / np.sqrt(1 + east * east + north * north)
-    return Samples(np.stack([-east * up, -north * up, up], axis=-1), level.grid.cell_m, -1.0, 1.0)
+    height, cell_m = level.height, level.grid.cell_m
+    rows, cols = height.shape
+
+    def read(start: int, stop: int) -> np.ndarray:
+        """One row more on either side, for the slope."""
+        first = max(start - 1, 0)
+        ground = height[first : min(stop + 1, rows)].astype(np.float32)
+        north, east = (slope[start - first :][: stop - start] for slope in np.gradient(ground, cell_m))
+        up = 1 / np.sqrt(1 + east * east + north * north)
+        return np.stack([-east * up, -north * up, up], axis=-1)
+
+    return Samples(Rows((rows, cols, 3), read), cell_m, -1.0, 1.0)
 
 
 def flow(level: Level) -> Samples | None:
@@ -156,7 +181,9 @@ def walkable(level: Level) -> Samples | None:
     x, y = np.meshgrid(x, y)
     near = (ground < level.sea_level_m + DEEP_M) & (ground > level.sea_level_m - 3 * DEEP_M)
     least, most = np.full(ground.shape, np.inf), np.full(ground.shape, -np.inf)
-    for t in np.arange(WALK_MOMENTS) / WALK_MOMENTS * period_s(level, 0.0):
+    for part in np.arange(WALK_MOMENTS) / WALK_MOMENTS:
+        beat(part)
+        t = part * period_s(level, 0.0)
         if near.any():
             depth = sea_at(level, float(t), x[near], y[near]).height_m - ground[near]
             least[near], most[near] = np.minimum(least[near], depth), np.maximum(most[near], depth)

@@ -83,9 +83,8 @@ def _r16(job: Job) -> FileRecord:
     step = (high - low) / maps.TOP
     path = job.folder / f"{job.name}_height.r16"
     maps.write_u16(path, maps.row_blocks(height), low, step or 1.0)
-    words = maps.open_u16(path, *height.shape)
     error_m = maps.largest_difference(
-        maps.row_blocks(words), maps.row_blocks(height), lambda values: decode_r16(values, low, high)
+        maps.read_u16(path, *height.shape), maps.row_blocks(height), lambda values: decode_r16(values, low, high)
     )
     return describe_file(
         path,
