@@ -20,6 +20,9 @@ def bilinear(samples: np.ndarray, rows_at: np.ndarray, cols_at: np.ndarray) -> I
 
     Between samples the ground is the bilinear surface the editor draws; positions outside are held at the edge.
     """
+    if _whole(rows_at) and _whole(cols_at):
+        yield from _picked(samples, rows_at, cols_at)
+        return
     row, row_part = _split(rows_at, samples.shape[0])
     col, col_part = _split(cols_at, samples.shape[1])
     for block in row_slices(len(row), len(col)):
@@ -28,6 +31,26 @@ def bilinear(samples: np.ndarray, rows_at: np.ndarray, cols_at: np.ndarray) -> I
         along = lower + (upper - lower) * row_part[block, None]
         left = along[:, col]
         yield block, left + (along[:, col + 1] - left) * col_part
+
+
+def _whole(positions: np.ndarray) -> bool:
+    return bool((positions == np.rint(positions)).all())
+
+
+def _picked(samples: np.ndarray, rows_at: np.ndarray, cols_at: np.ndarray) -> Iterator[Block]:
+    """Samples themselves, several times faster than as a mean: what lies beyond the last column repeats it."""
+    row, col = (np.clip(at, 0, n - 1).astype(np.intp) for at, n in zip((rows_at, cols_at), samples.shape, strict=True))
+    inside = int(np.searchsorted(col, col[-1]))
+    straight = bool((np.diff(col[: inside + 1]) == 1).all())
+    for block in row_slices(len(row), len(col)):
+        lines = samples[row[block]]
+        if not straight:
+            yield block, lines[:, col].astype(np.float64)
+            continue
+        values = np.empty((len(lines), len(col)), np.float64)
+        values[:, : inside + 1] = lines[:, col[0] : col[0] + inside + 1]
+        values[:, inside + 1 :] = lines[:, [col[-1]]]
+        yield block, values
 
 
 def row_slices(rows: int, width: int) -> Iterator[slice]:
