@@ -13,7 +13,7 @@ from ...level import BadInput
 from . import flow, map_rows, maps
 from .earlier import Piece
 from .engine_records import GodotTerrain, Options
-from .heights import Words, part_notes, probes, write_heights
+from .heights import Words, part_notes, probes, write_floats, write_heights
 from .job import Job
 from .layout import Layout, lay_out, plain_layout
 from .manifest import describe, describe_file
@@ -141,13 +141,9 @@ def _manifest(job: Job, layout: Layout, terrain: GodotTerrain, ground, target: s
 
 
 def _exr(job: Job, doc: str) -> FileRecord:
-    from ..images import read_image, write_image
-
-    height, sea = job.level.height[::-1], job.level.sea_level_m
+    height = job.level.height[::-1]
     path = job.folder / f"{job.name}_height.exr"
-    write_image(path, np.subtract(height, sea, dtype=np.float32)[..., None])
-    back = read_image(path)[..., 0]
-    off = maps.largest_difference(maps.row_blocks(back), maps.row_blocks(height), lambda values: values + sea)
+    off = write_floats(path, height, job.level.sea_level_m)
     return describe_file(
         path,
         map="height",

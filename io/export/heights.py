@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
@@ -65,6 +66,19 @@ def _record(job: Job, path, tile: Tile, words: Words, doc: str) -> FileRecord:
         step=100 * words.step_m,
         max_error=100 * error_m,
     )
+
+
+def write_floats(path: Path, height: np.ndarray, sea_m: float = 0.0) -> float:
+    """Metres over `sea_m` as EXR, channel Y, north first, from `height` with row 0 north; returns its error in metres.
+
+    The file's floats are measured against float64.
+    """
+    from ..image_rows import read_rows, write_rows
+
+    blocks = maps.row_blocks(height)
+    write_rows(path, (*height.shape, 1), np.float32, ((values - sea_m)[..., None] for _, values in blocks))
+    back = ((rows, values[..., 0]) for rows, values in read_rows(path, maps.row_slices(*height.shape)))
+    return maps.largest_difference(back, maps.row_blocks(height), lambda values: values.astype(np.float64) + sea_m)
 
 
 def probes(job: Job, layout: Layout) -> list[Probe]:

@@ -24,6 +24,7 @@ from .maps import row_slices
 from .records import Channel, Decode, FileRecord, MapProbe
 
 PROBES = 5  # a side
+WRITING = 0.7  # of the time that a file takes, the rest is for reading it back
 DTYPES = {8: np.uint8, 16: np.uint16, 32: np.float32}  # by bits
 
 
@@ -81,7 +82,6 @@ def write_map(job: Job, row: MapRow, samples: Samples, style: MapStyle) -> tuple
     bits = coding.bits
     path = job.folder / f"{job.name}_{row.name}.{'png' if coding.whole else 'exr'}"
     most = _write(path, samples, coding)
-    beat(0.7)
     off = _errors(path, samples, coding)
     rows, cols, _ = samples.values.shape
     numbers = {"cell_m": samples.cell_m, "row_0_y_m": (rows - 1) * samples.cell_m, **samples.numbers}
@@ -116,30 +116,37 @@ def _coding(row: MapRow, samples: Samples, style: MapStyle) -> Coding:
 
 def _write(path: Path, samples: Samples, coding: Coding) -> tuple[int, int]:
     """Write the picture; returns where its largest value is."""
-    from ..images import write_image
+    from ..image_rows import write_rows
 
     rows, cols, count = samples.values.shape
-    picture = np.zeros((rows, cols, 3 if count == 2 else count), DTYPES[coding.bits])  # two would be grey and alpha
-    most, at = -1.0, (0, 0)
-    for block, values in _blocks(samples, coding.signs):
-        picture[block, :, :count] = encoded(values, *coding.how)
-        size = np.abs(values).max(-1)
-        if size.max() > most:
-            row, col = np.unravel_index(size.argmax(), size.shape)
-            most, at = float(size.max()), (block.start + int(row), int(col))
-    beat(0.4)
-    write_image(path, picture, data=True)
+    dtype, most, at = DTYPES[coding.bits], -1.0, (0, 0)
+
+    def coded() -> Iterator[np.ndarray]:
+        nonlocal most, at
+        for block, values in _blocks(samples, coding.signs):
+            size = np.abs(values).max(-1)
+            if size.max() > most:
+                row, col = np.unravel_index(size.argmax(), size.shape)
+                most, at = float(size.max()), (block.start + int(row), int(col))
+            beat(WRITING * block.stop / rows)
+            whole = encoded(values, *coding.how)
+            if count == 2:  # two channels would be grey and alpha
+                whole = np.concatenate([whole, np.zeros_like(whole[..., :1])], axis=-1)
+            yield whole
+
+    write_rows(path, (rows, cols, 3 if count == 2 else count), dtype, coded())
     return at
 
 
 def _errors(path: Path, samples: Samples, coding: Coding) -> np.ndarray:
     """The largest error of each channel, measured on the file."""
-    from ..images import read_image
+    from ..image_rows import read_rows
 
-    count = samples.values.shape[-1]
-    back, off = read_image(path), np.zeros(count)
-    for block, values in _blocks(samples, coding.signs):
-        found = decoded(back[block, :, :count], *coding.how)
+    rows, cols, count = samples.values.shape
+    back, off = read_rows(path, row_slices(rows, cols * count)), np.zeros(count)
+    for (block, values), (_, stored) in zip(_blocks(samples, coding.signs), back, strict=True):
+        beat(WRITING + (1 - WRITING) * block.stop / rows)
+        found = decoded(stored[..., :count], *coding.how)
         off = np.maximum(off, np.abs(found - values).max(axis=(0, 1)))
     return off
 

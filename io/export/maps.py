@@ -54,8 +54,8 @@ def _picked(samples: np.ndarray, rows_at: np.ndarray, cols_at: np.ndarray) -> It
 
 
 def row_slices(rows: int, width: int) -> Iterator[slice]:
-    """Blocks of whole rows, `width` numbers each, that hold about BLOCK of them."""
-    deep = max(BLOCK // max(width, 1), 1)
+    """Blocks of whole rows, `width` numbers each, that hold about BLOCK of them; 16 rows are a chunk of an EXR."""
+    deep = max(BLOCK // max(width, 1) // 16 * 16, 16)
     for start in range(0, rows, deep):
         yield slice(start, min(start + deep, rows))
 
