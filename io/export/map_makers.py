@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from functools import wraps
 
 import numpy as np
 
@@ -18,6 +19,7 @@ WALK_SIDE = 257  # samples a side at which the sea is asked over a period
 WALK_MOMENTS = 12
 SHALLOW_M, DEEP_M = 0.0, 4.0  # wading depths that are told apart
 STILL_MPS = 1e-4
+KEPT_BYTES = 32_000_000
 
 
 @dataclass(frozen=True)
@@ -146,6 +148,25 @@ def shore(level: Level) -> Samples | None:
     return Samples(values, made.cell_m, low, high, {"range_m": made.range_m})
 
 
+def kept(make: Callable[[Level], Samples | None]) -> Callable[[Level], Samples | None]:
+    """A maker whose samples stay with the level until it changes, for other targets and maps; only small ones."""
+
+    @wraps(make)
+    def made(level: Level) -> Samples | None:
+        name = f"export {make.__name__}"
+        now = level.revision, level.settings_revision, level.objects_revision
+        then, samples = level.derived.get(name, (None, None))
+        if then == now:
+            return samples
+        samples = make(level)
+        if samples is None or samples.values.nbytes <= KEPT_BYTES:
+            level.derived[name] = now, samples
+        return samples
+
+    return made
+
+
+@kept
 def arrivals(level: Level) -> Samples | None:
     from ...level.timing import period_s, whole_maps
 
@@ -168,6 +189,7 @@ def front_phase(level: Level) -> Samples | None:
     return Samples(phase.astype(np.float32), made.cell_m, numbers=made.numbers)
 
 
+@kept
 def walkable(level: Level) -> Samples | None:
     """Depths on a coarser grid, for every sample is a sea of its own; the tide on the level's samples there."""
     from ...level.timing import period_s
