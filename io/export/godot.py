@@ -129,7 +129,7 @@ def _manifest(job: Job, layout: Layout, terrain: GodotTerrain, ground, target: s
             *(line for file in current.files for line in flow.recipe(file)),
             *(map_line(file) for file in pictures.files),
         ],
-        notes=part_notes(layout, heights.files),
+        notes=part_notes(layout, heights.files) + _notes(terrain),
         **describe(
             job.level,
             job.name,
@@ -157,6 +157,17 @@ def _exr(job: Job, doc: str) -> FileRecord:
         decode=Decode(formula=EXR_FORMULA),
         max_error=100 * off,
     )
+
+
+def _notes(terrain: GodotTerrain) -> list[str]:
+    """What lies beside the level where its size isn't one of whole regions."""
+    size = terrain.region_size
+    if size is None or terrain.cols % size == terrain.rows % size == 0:
+        return []
+    return [
+        f"Terrain3D fills its last regions of {size} x {size} beyond the level's {terrain.cols} x {terrain.rows} "
+        "samples by itself: what stands there is not of this export."
+    ]
 
 
 def _terrain3d_recipe(stem: str, terrain: GodotTerrain) -> list[str]:

@@ -136,6 +136,7 @@ def export(job: Job) -> Manifest:
             *(_recipe([file.name for file in heights.files], terrain, layout) if heights.files else []),
             *(line for file in current.files for line in flow.recipe(file)),
             *(map_line(file) for file in pictures.files + own.files),
+            *(_crest_line(file) for file in own.files),
         ],
         notes=part_notes(layout, heights.files) + _notes(terrain, files),
         **describe(
@@ -163,6 +164,20 @@ def _recipe(names: list[str], terrain: UnityTerrain, layout: Layout) -> list[str
             f"tile x, z stands at X {wide} x, Z {wide} z, all at the same Y; neighbours share their edge samples"
         )
     return [*lines, f"The sea lies at Y 0, which is {terrain.sea_level_share:.6f} of the terrain's height."]
+
+
+def _crest_line(record: FileRecord) -> str:
+    """Where the quad of Crest's flow input lies: texels reach half a cell beyond the samples."""
+    numbers = record.decode.numbers
+    cell_m = numbers["cell_m"]
+    middle, wide = ([n * cell_m for n in of] for of in (
+        ((record.width - 1) / 2, (record.height - 1) / 2), (record.width, record.height)
+    ))  # fmt: skip
+    return (
+        f"Crest 4: a quad facing up at X {middle[0]:.10g} Z {middle[1]:.10g}, {wide[0]:.10g} x {wide[1]:.10g} m, with "
+        f"Register Flow Input and the material Add Flow Map: Flow Map {record.name}, Strength {numbers['strength']:g}, "
+        "no flips"
+    )
 
 
 def _notes(terrain: UnityTerrain, files: list[FileRecord]) -> list[str]:
