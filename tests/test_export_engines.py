@@ -7,7 +7,7 @@ from shorewright.io import check, export
 from shorewright.io.export import EXPORTERS, godot, layout, unity
 from shorewright.io.export.records import Options
 from shorewright.io.images import read_image, write_image
-from shorewright.level import Grid, Level
+from shorewright.level import BadInput, Grid, Level
 
 ENGINES = ("unreal", "unity", "godot", "godot-hterrain")
 TILES = {"unreal": 127, "unity": 33}
@@ -130,6 +130,37 @@ def test_tiles_share_edges_and_one_range(tmp_path, target):
     values.tofile(damaged)
     sign(out, lambda data: None)
     one(check(out), "edge they share")
+
+
+@pytest.mark.parametrize("turn", [np.flipud, np.fliplr, np.transpose])
+def test_one_turned_tile_is_found(tmp_path, turn):
+    export(rough_level(97, 97), "unity", tmp_path / "out", "height", name="bay", tile=33)
+    path = tmp_path / "out" / "bay_height_1_1.raw"
+    np.ascontiguousarray(turn(np.fromfile(path, "<u2").reshape(33, 33))).tofile(path)
+    sign(tmp_path / "out", lambda data: None)
+    assert any(path.name in finding and "off the level" in finding for finding in check(tmp_path / "out"))
+
+
+@pytest.mark.parametrize("tile", [2, 34, 33])
+def test_tiles_out_of_all_measure_are_a_sentence(tmp_path, tile):
+    """From a doctored manifest too: what it asks for is never laid out."""
+    if tile == 33:
+        with pytest.raises(BadInput, match="too many"):
+            export(
+                Level(Grid(2050, 2050), np.zeros((2050, 2050), np.float32)), "unity", tmp_path / "a", GROUND, tile=33
+            )
+    export(rough_level(20), "unity", tmp_path / "out", "height", name="bay")
+    sign(tmp_path / "out", lambda data: (data["options"].update(tile=tile), data["source"].update(rows=16385)))
+    assert check(tmp_path / "out")
+
+
+def test_a_level_past_the_largest_landscape_becomes_tiles(tmp_path):
+    height = np.linspace(-5, 5, 2 * 8130, dtype=np.float32).reshape(2, 8130)
+    export(Level(Grid(2, 8130), height), "unreal", tmp_path / "out", "height", name="strip")
+    manifest = read_manifest(tmp_path / "out")
+    assert manifest["tiles"] == {"rows": 1, "cols": 9, "shared_edge": True}
+    assert manifest["engine"]["resolution"] == 1009
+    assert check(tmp_path / "out") == []
 
 
 def test_tiles_spend_little_beyond_the_level():

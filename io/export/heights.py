@@ -82,13 +82,18 @@ def write_floats(path: Path, height: np.ndarray, sea_m: float = 0.0) -> float:
 
 
 def probes(job: Job, layout: Layout) -> list[Probe]:
-    """The ground at a 5 × 5 of the exported samples, and at those nearest the level's lowest and highest sample."""
+    """The ground at a 5 × 5 of the exported samples and at those nearest the level's lowest and highest sample; of
+    tiles at one off the middle of each.
+    """
     height = job.level.height
     rows, cols = (np.unique(np.linspace(0, len(at) - 1, PROBES).round().astype(int)) for at in _axes(layout))
     places = [(int(row), int(col)) for row in rows for col in cols]
     for extreme in (height.argmin(), height.argmax()):
         at = np.unravel_index(extreme, height.shape)
         places.append(tuple(int(np.abs(axis - n).argmin()) for axis, n in zip(_axes(layout), at, strict=True)))
+    if layout.tiled:
+        on = layout.side - 1
+        places += [(tile.row * on + on // 3, tile.col * on + on // 4) for tile in layout.tiles()]
     return [_probe(job, layout, *place) for place in dict.fromkeys(places)]
 
 

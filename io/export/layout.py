@@ -19,6 +19,7 @@ from ...level import BadInput
 from . import maps
 from .engine_records import Options, Part, Resampling
 
+MOST_TILES = 1024  # a manifest lists them all
 SPARE = 8  # tiles may reach beyond the level by an eighth of its longer side
 
 
@@ -100,6 +101,8 @@ def lay_out(
 ) -> Layout:
     """The layout that a target with these legal `sizes` gets; BadInput when the level is larger than all of them."""
     longer = max(shape)
+    if options.tile is not None and (options.tile not in sizes or not tiles):
+        raise BadInput(f"a tile of {options.tile} samples a side is none that this target takes")
     fits = next((size for size in sizes if size >= longer), None)
     if options.resample:
         return _stretched(shape, cell_m, fits or sizes[-1], north_first)
@@ -110,6 +113,8 @@ def lay_out(
         )
     side = options.tile or fits or tile_side(longer, sizes)
     counts = [-(-(n - 1) // (side - 1)) for n in shape]
+    if counts[0] * counts[1] > MOST_TILES:
+        raise BadInput(f"{counts[1]} × {counts[0]} tiles of {side} samples are too many: at most {MOST_TILES}")
     north, east = (np.minimum(np.arange(c * (side - 1) + 1.0), n - 1) for c, n in zip(counts, shape, strict=True))
     north = (shape[0] - 1) - north if north_first else north
     return Layout(side, counts[0], counts[1], cell_m, north, east, shape, north_first)

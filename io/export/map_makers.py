@@ -135,17 +135,20 @@ def shore(level: Level) -> Samples | None:
     red, alpha = (np.array([0.0, 255.0]) for _ in range(2))
     distance, beach = of.decode_distance_m(red, made.range_m), of.decode_beach_m(alpha)
     towards = of.decode_direction(np.array([0.0, 255.0]))
-    packed = made.packed
-    values = np.concatenate(
-        [
-            of.decode_distance_m(packed[..., :1], made.range_m),
-            of.decode_direction(packed[..., 1:3]),
-            of.decode_beach_m(packed[..., 3:]),
-        ],
-        axis=-1,
-    )
+
+    def read(start: int, stop: int) -> np.ndarray:
+        packed = made.packed[start:stop]
+        return np.concatenate(
+            [
+                of.decode_distance_m(packed[..., :1], made.range_m),
+                of.decode_direction(packed[..., 1:3]),
+                of.decode_beach_m(packed[..., 3:]),
+            ],
+            axis=-1,
+        ).astype(np.float32)
+
     low, high = ((float(distance[i]), float(towards[i]), float(towards[i]), float(beach[i])) for i in (0, 1))
-    return Samples(values, made.cell_m, low, high, {"range_m": made.range_m})
+    return Samples(Rows(made.packed.shape, read), made.cell_m, low, high, {"range_m": made.range_m})
 
 
 def kept(make: Callable[[Level], Samples | None]) -> Callable[[Level], Samples | None]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+from ...level import BadInput
 from . import flow
 from .engine_records import UnityTerrain
 from .records import Manifest
@@ -19,7 +20,10 @@ def check_unity(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     if not manifest.files or set(own) - {"height", "flow"} or not isinstance(terrain, UnityTerrain):
         return ["a Unity export has height maps, currents or maps and says how to place them; this manifest does not"]
     source = manifest.source
-    layout = layout_of((source.rows, source.cols), source.cell_m, manifest.options)
+    try:
+        layout = layout_of((source.rows, source.cols), source.cell_m, manifest.options)
+    except BadInput as error:
+        return [str(error)]
     low, high = world.height_min_m - world.sea_level_m, world.height_max_m - world.sea_level_m
     findings = [*said_otherwise(terrain, terrain_of(layout, low, high))]
     if "height" in own:
