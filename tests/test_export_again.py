@@ -159,6 +159,12 @@ def test_command_line_takes_targets_and_their_options(tmp_path, capsys):
         assert snapshot(tmp_path / "out") == before
 
 
+def test_help_names_every_target(capsys):
+    assert main(["export", "--help"]) == 0
+    told = capsys.readouterr().out
+    assert all(name in told for name in EXPORTERS)
+
+
 def test_work_in_the_background_has_a_level_of_its_own():
     """What is edited meanwhile isn't exported; a fault is handed over; cancelling is heard."""
     level = slope_level()

@@ -57,6 +57,11 @@ def test_every_map_decodes_to_the_level(painted, written, name):
     if record["bit_depth"] < 32:
         steps = CODES[code].step(np.array(low), np.array(high), 2 ** record["bit_depth"] - 1)
         assert (off <= steps / 2 + 1e-6 * np.maximum(np.abs(high), 1)).all()
+
+
+def test_untouched_maps_are_fine(written):
+    folder, files = written
+    assert set(files) == set(MAPS)
     assert check(folder) == []
 
 

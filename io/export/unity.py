@@ -92,7 +92,7 @@ def terrain_of(layout: Layout, low_m: float, high_m: float) -> UnityTerrain:
         terrain_length_m=on_m,
         terrain_height_m=height_m,
         position_y_m=position_m,
-        sea_level_share=-position_m / height_m,
+        sea_level_share=(0.0 - position_m) / height_m,
         gpu_step_cm=100 * height_m / GPU_STEPS,
         level_part=layout.part(),
     )
