@@ -28,7 +28,7 @@ EXPORTERS: dict[str, Exporter] = {
             "unreal",
             "Unreal",
             "A square 16-bit height map for Landscape, the sea at Z 0, with the values to type into the import dialog; "
-            "the current in 8 bits.",
+            "current and maps as pictures.",
             unreal.MAPS,
             unreal.export,
             unreal.SIDES,
@@ -37,7 +37,8 @@ EXPORTERS: dict[str, Exporter] = {
         Exporter(
             "unity",
             "Unity",
-            "Square RAW height maps for Terrain, the sea at Y 0, with the values to type; the current also for Crest.",
+            "A square RAW height map for Terrain, the sea at Y 0, with the values to type; current and maps as "
+            "pictures, the current for Crest too.",
             unity.MAPS,
             unity.export,
             unity.SIDES,
@@ -46,14 +47,15 @@ EXPORTERS: dict[str, Exporter] = {
         Exporter(
             "godot",
             "Godot, Terrain3D",
-            "Height in metres over the sea as float and 16 bits, with the values for Terrain3D's importer.",
+            "Height in metres over the sea as float and 16 bits, with the values for Terrain3D's importer; deep maps "
+            "as floats.",
             godot.TERRAIN3D_MAPS,
             godot.terrain3d,
         ),
         Exporter(
             "godot-hterrain",
             "Godot, HTerrain",
-            "A square RAW height map for HTerrain's import dialog, with the values to type.",
+            "A square RAW height map for HTerrain's import dialog, with the values to type; deep maps as floats.",
             godot.HTERRAIN_MAPS,
             godot.hterrain,
             godot.SIDES,
@@ -62,7 +64,7 @@ EXPORTERS: dict[str, Exporter] = {
             "raw",
             "Raw files",
             "The level's own samples: height in 16 bits and float, ground as GLB, layers as .vti, painted sky as .tif, "
-            "current as .png.",
+            "current and maps as pictures.",
             raw.MAPS,
             raw.export,
         ),
