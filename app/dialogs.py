@@ -201,13 +201,14 @@ class Dialogs:
             self._done()
 
     def _wait(self, form: Form, work: Background) -> None:
-        """How far work in a thread is, and a way to stop it; its end closes the dialog, its error stays in it."""
+        """How far work beside the window is, and a way to stop it; its end closes the dialog, its error stays in it."""
+        done = work.done
         imgui.progress_bar(work.share, imgui.ImVec2(WIDE, 0), f"{100 * work.share:.0f} %")
         imgui.text_colored(theme.colour(theme.INK_FAINT), "Stopping…" if work.cancelled else work.sentence)
         imgui.dummy(imgui.ImVec2(WIDE, 4))
         if _button("Cancel", False) or imgui.is_key_pressed(imgui.Key.escape):
             work.cancel()
-        if not work.done:
+        if not done:
             return
         form.background = None
         try:

@@ -1,4 +1,4 @@
-"""The form for exports: a target, a folder; it runs on a copy of the level and shows how far it is."""
+"""The form for exports: a target, a folder; it runs beside the window on a copy of the level, shown by a bar."""
 
 from __future__ import annotations
 
@@ -6,9 +6,8 @@ from pathlib import Path
 
 from imgui_bundle import imgui
 
-from ..level import Level
 from . import theme
-from .background import Background
+from .background import Background, export_work
 from .editor import Editor
 from .file_forms import WIDE, Form, PathField
 from .param_widgets import tooltip
@@ -49,19 +48,10 @@ class ExportForm(Form):
         self.target = number
 
     def run(self) -> None:
-        from .. import io
-        from ..io.export import Cancelled
-
-        target, path, stem = self.targets[self.target].name, self.field.path, self.stem
-        resample = self.resample and bool(self.targets[self.target].sizes)
-
-        def work(level: Level, told) -> list[Path] | None:
-            try:
-                return io.export(level, target, path, name=stem, resample=resample, progress=told)
-            except Cancelled:
-                return None
-
-        self.background = Background(self.editor.session.level, work)
+        target = self.targets[self.target]
+        resample = self.resample and bool(target.sizes)
+        level = self.editor.session.level
+        self.background = Background(level, export_work, target.name, self.field.path, self.stem, resample)
 
     def finish(self, result: list[Path] | None) -> None:
         where = self.field.path

@@ -5,7 +5,7 @@ import os
 
 import numpy as np
 import pytest
-from exports import GROUND, MANIFEST, read_manifest, slope_level, snapshot
+from exports import GROUND, MANIFEST, die, look_at, read_manifest, slope_level, snapshot, wait_until_stopped
 from shorewright.app.background import Background
 from shorewright.app.cli import main
 from shorewright.io import check, export, image_rows, images, write_level
@@ -165,22 +165,19 @@ def test_help_names_every_target(capsys):
     assert all(name in told for name in EXPORTERS)
 
 
-def test_work_in_the_background_has_a_level_of_its_own():
-    """What is edited meanwhile isn't exported; a fault is handed over; cancelling is heard."""
+def test_work_beside_the_window_has_a_level_of_its_own():
+    """What is edited meanwhile isn't exported; faults and a dead process are handed over; cancelling is heard."""
     level = slope_level()
     ground = level.height.copy()
-    run = Background(level, lambda copy, told: (told(0.5, "half"), copy.height.copy()))
+    run, stopped, dead = (
+        Background(level, look_at, "half"), Background(level, wait_until_stopped), Background(level, die),
+    )  # fmt: skip
     level.write("height", level.grid.rect, 1.0)
-    heard, height = run.result()
-    assert (heard, run.done, run.share, run.sentence) == (True, True, 0.5, "half")
+    wanted, height = run.result()
+    assert (wanted, run.done, run.share, run.sentence) == (True, True, 0.5, "half")
     np.testing.assert_array_equal(height, ground)
-
-    def fail(copy, told):
-        while told(0.1, "on"):
-            pass
-        raise BadInput("no")
-
-    run = Background(level, fail)
-    run.cancel()
+    stopped.cancel()
     with pytest.raises(BadInput, match="no"):
-        run.result()
+        stopped.result()
+    with pytest.raises(OSError, match="before its end"):
+        dead.result()
