@@ -1,7 +1,7 @@
 """Long work on a copy of the level in a process of its own, so that the window goes on drawing: much of what an export
 asks for holds Python's lock for seconds (measured: a thread made the window stand still for 2.5 s).
 
-run = Background(level, export_work, "raw", "out", "cove", False)
+run = Background(level, export_work, "raw", "out", "cove", None, False)
 run.done, run.share, run.sentence          # looked at once a frame
 run.result()                               # what came of it, or the error it ended with
 """
@@ -27,12 +27,14 @@ def copy_of(level: Level) -> Level:
     return copy.deepcopy(level, {id(level.derived): {}, id(level.solver): None})
 
 
-def export_work(level: Level, told: Told, target: str, folder: Path, stem: str, resample: bool) -> list[Path] | None:
+def export_work(
+    level: Level, told: Told, target: str, folder: Path, stem: str, only: list[str] | None, resample: bool
+) -> list[Path] | None:
     """An export as background work; None when it was cancelled."""
     from ..io.export import Cancelled, export
 
     try:
-        return export(level, target, folder, name=stem, resample=resample, progress=told)
+        return export(level, target, folder, only, stem, resample=resample, progress=told)
     except Cancelled:
         return None
 

@@ -23,6 +23,7 @@ class ExportForm(Form):
         self.targets = list(EXPORTERS.values())
         self.target = 0
         self.resample = False
+        self.only = ""
         held = editor.session.path
         self.stem = held.stem if held else "level"
         folder = (held.parent if held else Path.cwd()) / f"{self.stem}_{self.targets[0].name}"
@@ -39,6 +40,9 @@ class ExportForm(Form):
         if self.targets[self.target].sizes:
             _, self.resample = imgui.checkbox("Resample to a size the engine takes", self.resample)
             tooltip("Else the level lies in a corner of the next larger size, sample for sample. The error is told.")
+        imgui.set_next_item_width(WIDE - 60)
+        _, self.only = imgui.input_text_with_hint("Maps###export_maps", "all, or names by comma", self.only)
+        tooltip(", ".join(name for name, _ in self.targets[self.target].maps))
         self.field.draw("folder")
 
     def _choose(self, number: int) -> None:
@@ -50,8 +54,10 @@ class ExportForm(Form):
     def run(self) -> None:
         target = self.targets[self.target]
         resample = self.resample and bool(target.sizes)
-        level = self.editor.session.level
-        self.background = Background(level, export_work, target.name, self.field.path, self.stem, resample)
+        names = [name.strip() for name in self.only.split(",") if name.strip()]
+        target.choose(names or None)  # refuses a name at once
+        level, folder = self.editor.session.level, self.field.path
+        self.background = Background(level, export_work, target.name, folder, self.stem, names or None, resample)
 
     def finish(self, result: list[Path] | None) -> None:
         where = self.field.path

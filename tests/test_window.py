@@ -255,7 +255,8 @@ def test_files_by_dialog(drive):
     assert ground(saved) == found["height"] != original
     assert found["suggested"].endswith("other_raw")
     assert any(name.endswith(".glb") for name in found["exported"])
-    assert found["frames"] > 10  # the window went on drawing
+    assert "'sand'" in found["no_map"]
+    assert found["frames"] < 4000
     assert found["begun"]
     assert not found["cancelled"]
     assert "cancelled" in found["told"]
