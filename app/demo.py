@@ -15,7 +15,8 @@ from .session import Session
 
 SAMPLES = Path(__file__).parents[1] / "sample_levels"
 CAMERAS = ("play", "beach", "survey")
-TARGETS = ("raw", "unreal")
+TARGETS = ("raw", "unreal", "unity", "godot")
+SHOWN = ("height", "mesh", "flow", "normals", "foam", "river", "shore")  # maps: all of them take a minute
 SIZE = (1280, 720)
 
 
@@ -63,12 +64,13 @@ def _draw(level: Level, out_dir: Path, word: str, time_s: float, size, quality: 
 
 def _export(level: Level, out_dir: Path) -> list[str]:
     """Write every target and check it; returns what the checks found."""
-    from ..io import check, export
+    from ..io import EXPORTERS, check, export
 
     findings = []
     for target in TARGETS:
         folder = out_dir / f"cove_{target}"
-        for path in export(level, target, folder, name="cove"):
+        maps = [name for name, _ in EXPORTERS[target].maps if name in SHOWN]
+        for path in export(level, target, folder, maps, name="cove"):
             _say(path)
         findings += check(folder)
     return findings

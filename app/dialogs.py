@@ -8,6 +8,7 @@ from imgui_bundle import imgui
 
 from ..level import BadInput
 from . import theme
+from .background import Background
 from .editor import Editor
 from .file_forms import WIDE, Form, OpenForm, open_level
 from .forms import FORMS
@@ -167,6 +168,9 @@ class Dialogs:
 
     def _form(self, form: Form) -> None:
         imgui.dummy(imgui.ImVec2(WIDE, 2))
+        if form.background is not None:
+            self._wait(form, form.background)
+            return
         form.draw()
         if self.error:
             imgui.push_text_wrap_pos(WIDE)
@@ -190,6 +194,25 @@ class Dialogs:
     def _run(self, form: Form) -> None:
         try:
             form.run()
+        except (BadInput, OSError) as error:
+            self.error = str(error)
+            return
+        if form.background is None:
+            self._done()
+
+    def _wait(self, form: Form, work: Background) -> None:
+        """How far work beside the window is, and a way to stop it; its end closes the dialog, its error stays in it."""
+        done = work.done
+        imgui.progress_bar(work.share, imgui.ImVec2(WIDE, 0), f"{100 * work.share:.0f} %")
+        imgui.text_colored(theme.colour(theme.INK_FAINT), "Stopping…" if work.cancelled else work.sentence)
+        imgui.dummy(imgui.ImVec2(WIDE, 4))
+        if _button("Cancel", False) or imgui.is_key_pressed(imgui.Key.escape):
+            work.cancel()
+        if not done:
+            return
+        form.background = None
+        try:
+            form.finish(work.result())
         except (BadInput, OSError) as error:
             self.error = str(error)
             return

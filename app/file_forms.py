@@ -9,6 +9,7 @@ from imgui_bundle import imgui
 
 from ..level import BadInput, Grid
 from . import native_files, theme
+from .background import Background
 from .editor import Editor
 from .param_widgets import tooltip
 from .session import Session
@@ -47,7 +48,10 @@ class PathField:
 
 
 class Form:
-    """A dialog: `draw` its fields, `run` what it is for (BadInput is shown in the dialog, which stays)."""
+    """A dialog: `draw` its fields, `run` what it is for (BadInput is shown in the dialog, which stays).
+
+    Long work is left running as `background`; what comes of it goes to `finish`.
+    """
 
     title = ""
     confirm = "OK"
@@ -55,10 +59,13 @@ class Form:
 
     def __init__(self, editor: Editor) -> None:
         self.editor = editor
+        self.background: Background | None = None
 
     def draw(self) -> None: ...
 
     def run(self) -> None: ...
+
+    def finish(self, result: Any) -> None: ...
 
 
 class ImportFields:
@@ -199,40 +206,3 @@ class ImportForm(Form):
 
     def run(self) -> None:
         self.editor.session.import_height(self.source.field.path, **self.source.flags())
-
-
-class ExportForm(Form):
-    title, confirm = "Export", "Export"
-
-    def __init__(self, editor: Editor) -> None:
-        from ..io import EXPORTERS
-
-        super().__init__(editor)
-        self.targets = list(EXPORTERS.values())
-        self.target = 0
-        held = editor.session.path
-        self.stem = held.stem if held else "level"
-        folder = (held.parent if held else Path.cwd()) / f"{self.stem}_{self.targets[0].name}"
-        self.field = PathField("folder", "Folder to export into", str(folder))
-
-    def draw(self) -> None:
-        for number, target in enumerate(self.targets):
-            if imgui.radio_button(f"{target.label}###target_{target.name}", self.target == number):
-                self._choose(number)
-            imgui.push_text_wrap_pos(WIDE)
-            imgui.text_colored(theme.colour(theme.INK_FAINT), target.doc)
-            imgui.pop_text_wrap_pos()
-        imgui.spacing()
-        self.field.draw("folder")
-
-    def _choose(self, number: int) -> None:
-        before = self.targets[self.target].name
-        if self.field.text.endswith(f"_{before}"):
-            self.field.text = self.field.text[: -len(before)] + self.targets[number].name
-        self.target = number
-
-    def run(self) -> None:
-        from .. import io
-
-        paths = io.export(self.editor.session.level, self.targets[self.target].name, self.field.path, name=self.stem)
-        self.editor.messages.tell(f"Exported {len(paths)} files to {self.field.path}")

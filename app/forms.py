@@ -8,7 +8,8 @@ from ..brushes.alphas import pack
 from ..io.alphas import read_alpha
 from . import event_form, placing, shot_forms, theme
 from .editor import Editor
-from .file_forms import ExportForm, Form, ImportForm, NewForm, OpenForm, PathField, SaveAsForm
+from .export_form import ExportForm
+from .file_forms import Form, ImportForm, NewForm, OpenForm, PathField, SaveAsForm
 from .weather_forms import WeatherExportForm, WeatherImportForm
 
 

@@ -44,9 +44,9 @@ class Header:
 
 def read_header(path: Path | str) -> Header:
     """Size, channels and attributes of an image without decoding it; BadInput when it is none."""
-    image = _open(Path(path))
+    image = open_image(Path(path))
     with contextlib.closing(image):
-        return _header(Path(path), image)
+        return header_of(Path(path), image)
 
 
 def read_image(path: Path | str) -> np.ndarray:
@@ -60,19 +60,19 @@ def read_image(path: Path | str) -> np.ndarray:
 def load_image(path: Path | str) -> tuple[Header, np.ndarray]:
     """Header and samples of an image, read in one opening."""
     path = Path(path)
-    image = _open(path)
+    image = open_image(path)
     with contextlib.closing(image):
-        header = _header(path, image)
+        header = header_of(path, image)
         wanted = header.dtype if header.whole else "float"  # asked for floats, integers would come normalised
         try:
             pixels = image.read_image(wanted)
         except Exception as error:  # D-traps: the binding raises what it likes
-            raise _damaged(path, str(error)) from None
+            raise damaged(path, str(error)) from None
         reason = error_of(image)
         if pixels is None or reason:
-            raise _damaged(path, reason)
+            raise damaged(path, reason)
     if pixels.shape != (header.rows, header.cols, len(header.channels)):
-        raise _damaged(path, "its samples do not fill its declared size")
+        raise damaged(path, "its samples do not fill its declared size")
     return header, pixels
 
 
@@ -109,13 +109,13 @@ def encode(path: Path, array: np.ndarray, *, channels=None, half=False, data=Non
     import OpenImageIO
 
     pixels = np.ascontiguousarray(array if array.ndim == 3 else array[..., None])
-    kind = _kind(path, pixels, half)
+    kind = kind_of(path, pixels.dtype, half)
     names = tuple(channels or {1: "Y", 2: "RG", 3: "RGB", 4: "RGBA"}.get(pixels.shape[2], ()))
     if len(names) != pixels.shape[2]:
         raise ValueError(f"{pixels.shape[2]} channels need as many names, not {names}")
     spec = OpenImageIO.ImageSpec(pixels.shape[1], pixels.shape[0], pixels.shape[2], kind)
     spec.channelnames = names
-    _set_attributes(spec, path, kind, data, attributes or {})
+    set_attributes(spec, path, kind, data, attributes or {})
     output = OpenImageIO.ImageOutput.create(str(path))
     if output is None:
         raise OSError(0, f"no writer for {path.suffix} ({_global_error()})")
@@ -125,10 +125,10 @@ def encode(path: Path, array: np.ndarray, *, channels=None, half=False, data=Non
     if not (done and closed):
         raise OSError(0, reason or error_of(output) or "the image was not written")
     if path.suffix.lower() == ".png":
-        _check_written(path)
+        check_written(path)
 
 
-def _check_written(path: Path) -> None:
+def check_written(path: Path) -> None:
     """OSError for a PNG cut short: on a full disk OpenImageIO writes as much as fits and reports success."""
     from .png_check import check_png
 
@@ -138,18 +138,20 @@ def _check_written(path: Path) -> None:
         raise OSError(0, str(error)) from None
 
 
-def _kind(path: Path, pixels: np.ndarray, half: bool) -> str:
+def kind_of(path: Path, dtype: np.dtype, half: bool = False) -> str:
+    """OpenImageIO's name for how a file stores samples of this type; an error where it can't."""
     suffix = path.suffix.lower()
     if suffix not in WRITABLE:
         raise BadInput(f"cannot write {path.name}: use one of {', '.join(WRITABLE)}")
-    kind = {"uint8": "uint8", "uint16": "uint16", "float32": "float", "float16": "half"}.get(pixels.dtype.name)
+    kind = {"uint8": "uint8", "uint16": "uint16", "float32": "float", "float16": "half"}.get(dtype.name)
     fits = FITS.get(suffix, ("uint8", "uint16", "float"))
     if kind not in fits:
-        raise ValueError(f"{pixels.dtype} samples do not go into {suffix}")
+        raise ValueError(f"{dtype} samples do not go into {suffix}")
     return "half" if half and suffix == ".exr" else kind
 
 
-def _set_attributes(spec, path: Path, kind: str, data: bool | None, attributes: Mapping[str, object]) -> None:
+def set_attributes(spec, path: Path, kind: str, data: bool | None, attributes: Mapping[str, object]) -> None:
+    """Compression, colour tags and no clock, as all files of ours have them."""
     suffix = path.suffix.lower()
     if suffix != ".png":
         spec.attribute("compression", "jpeg:88" if suffix == ".jpg" else "zip")
@@ -163,7 +165,7 @@ def _set_attributes(spec, path: Path, kind: str, data: bool | None, attributes: 
         spec.attribute(name, value)
 
 
-def _open(path: Path):
+def open_image(path: Path):
     """An opened ImageInput, sizes checked; BadInput otherwise."""
     import OpenImageIO
 
@@ -178,9 +180,9 @@ def _open(path: Path):
     try:
         image = OpenImageIO.ImageInput.open(str(path), config)
     except Exception as error:
-        raise _damaged(path, str(error)) from None
+        raise damaged(path, str(error)) from None
     if image is None:
-        raise _damaged(path, _global_error())
+        raise damaged(path, _global_error())
     return image
 
 
@@ -199,12 +201,13 @@ def _check_file(path: Path) -> None:
         raise BadInput(f"{path} cannot be read: {error.strerror}") from None
 
 
-def _header(path: Path, image) -> Header:
+def header_of(path: Path, image) -> Header:
+    """What an opened image says of itself; BadInput when no level can be that."""
     spec = image.spec()
     if spec.width > MAX_SIDE or spec.height > MAX_SIDE or spec.depth > 1:
         raise BadInput(f"{path} declares {spec.width} × {spec.height} samples; at most {MAX_SIDE} a side can be read")
     if spec.width < 1 or spec.height < 1 or not 1 <= spec.nchannels <= MAX_CHANNELS:
-        raise _damaged(path, f"it declares {spec.width} × {spec.height} samples of {spec.nchannels} channels")
+        raise damaged(path, f"it declares {spec.width} × {spec.height} samples of {spec.nchannels} channels")
     if spec.deep:
         raise BadInput(f"{path} is a deep image, which holds no plain samples: flatten it first")
     attributes = {}
@@ -234,7 +237,8 @@ def _line(text: str) -> str:
     return text if len(text) <= 160 else text[:157] + "…"
 
 
-def _damaged(path: Path, reason: str) -> BadInput:
+def damaged(path: Path, reason: str) -> BadInput:
+    """The sentence about an image that cannot be read."""
     if "limits:resolution" in reason or "limits:imagesize" in reason:
         return BadInput(f"{path} declares more samples than can be read: at most {MAX_SIDE} a side")
     reason = _line(reason).replace(str(path), path.name)

@@ -2,9 +2,11 @@
 
 import hashlib
 import json
+import os
+import time
 
 import numpy as np
-from shorewright.level import Grid, Level
+from shorewright.level import BadInput, Grid, Level
 
 GROUND = ["height", "flow"]  # maps of an export that is small
 MANIFEST = "bay.shorewright.json"  # of an export named bay
@@ -58,3 +60,21 @@ def sign(folder, edit):
     text = json.dumps(data, sort_keys=True, separators=(",", ":"))
     data["manifest_sha256"] = hashlib.sha256(text.encode()).hexdigest()
     path.write_text(json.dumps(data), "utf-8")
+
+
+# Work for a process beside the window
+
+
+def look_at(level, told, name):
+    """What the process was given, and whether it is still wanted."""
+    return told(0.5, name), level.height.copy()
+
+
+def wait_until_stopped(level, told):
+    while told(0.1, "on"):
+        time.sleep(0.01)
+    raise BadInput("no")
+
+
+def die(level, told):
+    os._exit(3)

@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from exports import MANIFEST, one, slope_level
+from exports import GROUND, MANIFEST, one, slope_level
 from shorewright import io
 from shorewright.io import write_level
 from shorewright.io.export import EXPORTERS, check, export
@@ -14,13 +14,13 @@ from shorewright.level import BadInput, Rect
 
 @pytest.fixture
 def unreal(tmp_path):
-    export(slope_level(), "unreal", tmp_path / "out", name="bay")
+    export(slope_level(), "unreal", tmp_path / "out", GROUND, name="bay")
     return tmp_path / "out"
 
 
 @pytest.fixture
 def raw(tmp_path):
-    export(slope_level(), "raw", tmp_path / "out", name="bay")
+    export(slope_level(), "raw", tmp_path / "out", [*GROUND, "mesh", "layers"], name="bay")
     return tmp_path / "out"
 
 

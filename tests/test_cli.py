@@ -251,8 +251,9 @@ def test_the_demo(tmp_path, ctx):
     assert done.returncode == 0, done.stdout + done.stderr
     paths = [Path(line) for line in done.stdout.splitlines()]
     assert all(path.exists() for path in paths)
-    assert sum(path.suffix == ".png" for path in paths) == 6 + 2  # pictures, and the current of both exports
-    assert {path.parent.name for path in paths} == {"out", "cove_raw", "cove_unreal"}
+    assert sum(path.suffix == ".png" and path.parent.name == "out" for path in paths) == 6
+    assert {path.parent.name for path in paths} == {"out", "cove_raw", "cove_unreal", "cove_unity", "cove_godot"}
+    assert sum(path.name == "cove_flow.png" for path in paths) == 4
     before, after = ((tmp_path / "out" / f"{word}_play.png").read_bytes() for word in ("before", "after"))
     assert before != after
     sculpted, sample = read_level(tmp_path / "out" / "cove.shore"), read_level(samples / "cove.shore")

@@ -125,8 +125,8 @@ def test_file_names_are_safe_everywhere(tmp_path, name, stem):
 
 def test_unknown_target_and_map_are_refused_with_the_list(tmp_path):
     level = rough_level(4)
-    with pytest.raises(BadInput, match=r"'unity'.*unreal, raw"):
-        export(level, "unity", tmp_path / "out")
+    with pytest.raises(BadInput, match=r"'blender'.*unreal, unity, godot"):
+        export(level, "blender", tmp_path / "out")
     with pytest.raises(BadInput, match=r"'sand'.*height, mesh, layers"):
         export(level, "raw", tmp_path / "out", only=["height", "sand"])
     with pytest.raises(BadInput, match="nothing"):
@@ -135,9 +135,19 @@ def test_unknown_target_and_map_are_refused_with_the_list(tmp_path):
 
 
 def test_levels_that_cannot_be_exported_leave_nothing(tmp_path):
-    large = Level(Grid(2, 8130), np.zeros((2, 8130), np.float32))
-    with pytest.raises(BadInput, match="8130 samples along its longer side"):
-        export(large, "unreal", tmp_path / "out")
+    for target, samples in (("godot-hterrain", 4098), ("godot", 16385)):
+        large = Level(Grid(2, samples), np.zeros((2, samples), np.float32))
+        with pytest.raises(BadInput, match=f"{samples} samples along its longer side.*{samples - 1}"):
+            export(large, target, tmp_path / "out", GROUND)
+    for target, options, word in (
+        ("unity", {"tile": 100}, "tile of 100.*33, 65"),
+        ("unreal", {"tile": 128}, "tile of 128.*127, 253"),
+        ("unreal", {"tile": 127, "resample": True}, "not both"),
+        ("raw", {"resample": True}, "nothing to resample"),
+        ("godot-hterrain", {"tile": 65}, "no tiles"),
+    ):
+        with pytest.raises(BadInput, match=word):
+            export(rough_level(8), target, tmp_path / "out", GROUND, **options)
     holes = rough_level(8)
     holes.layers["height"].array[3, 3] = np.nan
     with pytest.raises(BadInput, match="no numbers"):

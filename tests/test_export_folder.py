@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 from exports import GROUND, read_manifest, rough_level, snapshot
-from shorewright.io.export import check, export, unreal
+from shorewright.io.export import check, export, heights
 from shorewright.level import BadInput
 
 
@@ -60,7 +60,7 @@ def test_broken_off_export_leaves_what_was_there(tmp_path, monkeypatch, fault, e
         path.write_bytes(b"half")
         raise fault
 
-    monkeypatch.setattr(unreal.maps, "write_u16", fail)
+    monkeypatch.setattr(heights.maps, "write_u16", fail)
     wanted = BadInput if isinstance(fault, OSError) else type(fault)
     with pytest.raises(wanted, match="No space left" if isinstance(fault, OSError) else None):
         export(rough_level(20, seed=2), "unreal", out, name="bay")
@@ -118,14 +118,14 @@ def test_working_directory_stays_the_same_folder(tmp_path, monkeypatch):
 
 
 def test_folder_that_fills_up_meanwhile_is_not_replaced(tmp_path, monkeypatch):
-    out, write = tmp_path / "out", unreal.maps.write_u16
+    out, write = tmp_path / "out", heights.maps.write_u16
 
     def somebody_comes(path, *rest):
         write(path, *rest)
         out.mkdir()
         (out / "notes.txt").write_text("mine", "utf-8")
 
-    monkeypatch.setattr(unreal.maps, "write_u16", somebody_comes)
+    monkeypatch.setattr(heights.maps, "write_u16", somebody_comes)
     with pytest.raises(BadInput, match=r"notes\.txt"):
         export(rough_level(8), "unreal", out)
     assert snapshot(out) == {"notes.txt": b"mine"}

@@ -27,7 +27,7 @@ def painted():
     return level
 
 
-@pytest.fixture(scope="module", params=["raw", "unreal"])
+@pytest.fixture(scope="module", params=["raw", "unreal", "unity", "godot"])
 def written(request, painted, tmp_path_factory):
     folder = tmp_path_factory.mktemp(request.param) / "out"
     export(painted, request.param, folder, only=list(MAPS), name="bay")
@@ -44,23 +44,30 @@ def test_every_map_decodes_to_the_level(painted, written, name):
     record = files[name]
     code = "float" if record["bit_depth"] == 32 else row.code
     low, high = ([c[end] or 0 for c in record["channels"]] for end in ("low", "high"))
-    truth = samples.values[::-1].astype(float)
+    truth = np.asarray(samples.values)[::-1].astype(float)
     values = read_image(folder / record["name"])[..., : truth.shape[-1]]
     found = decoded(values, code, low, high, record["bit_depth"])
-    for channel in (row.north, row.green):
-        if channel is not None and "unreal" in str(folder):
+    target = folder.parent.name.rstrip("0123456789")
+    turned = {"unreal": (row.north, row.green), "godot": (row.north,)}.get(target, ())
+    for channel in turned:
+        if channel is not None:
             truth[..., channel] *= -1
     off = np.abs(found - truth).max(axis=(0, 1))
     assert off == pytest.approx([c["max_error"] for c in record["channels"]], abs=1e-6)
     if record["bit_depth"] < 32:
         steps = CODES[code].step(np.array(low), np.array(high), 2 ** record["bit_depth"] - 1)
         assert (off <= steps / 2 + 1e-6 * np.maximum(np.abs(high), 1)).all()
+
+
+def test_untouched_maps_are_fine(written):
+    folder, files = written
+    assert set(files) == set(MAPS)
     assert check(folder) == []
 
 
 def test_same_level_same_bytes(painted, written, tmp_path):
     folder, _ = written
-    target = "unreal" if "unreal" in str(folder) else "raw"
+    target = folder.parent.name.rstrip("0123456789")
     export(painted, target, tmp_path / "again", only=list(MAPS), name="bay")
     for path in folder.iterdir():
         assert (tmp_path / "again" / path.name).read_bytes() == path.read_bytes(), path.name

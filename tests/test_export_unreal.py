@@ -64,7 +64,7 @@ def test_unreal_decodes_to_the_ground(tmp_path, samples, size):
 
 def test_level_of_a_landscapes_size_fills_it(tmp_path):
     level = rough_level(127)
-    export(level, "unreal", tmp_path / "out")
+    export(level, "unreal", tmp_path / "out", "height")
     off = np.abs(unreal_cm(tmp_path / "out") - 100 * level.height[::-1].astype(float)).max()
     manifest = read_manifest(tmp_path / "out")
     assert off <= manifest["engine"]["scale_z"] / 256 + 1e-6
@@ -79,7 +79,7 @@ def test_known_heights_become_known_words(tmp_path):
     height = np.zeros((127, 127), np.float32)
     height[0, 0], height[0, -1] = -256.0, -128.0  # south-west, south-east
     height[-1, 0], height[-1, -1] = 128.0, 256 - 1 / 128  # north-west, north-east
-    export(Level(Grid(127, 127), height), "unreal", tmp_path / "out", name="corners")
+    export(Level(Grid(127, 127), height), "unreal", tmp_path / "out", "height", name="corners")
     data = (tmp_path / "out" / "corners_height.r16").read_bytes()
     words = np.frombuffer(data, "<u2").reshape(127, 127)
     assert read_manifest(tmp_path / "out")["engine"]["scale_z"] == 100.0
@@ -92,7 +92,7 @@ def test_known_heights_become_known_words(tmp_path):
 def test_sea_level_lands_on_32768(tmp_path, sea_m):
     level = rough_level(60, low=sea_m - 20, high=sea_m + 9, sea_m=sea_m)
     level.write("height", Rect(10, 20, 30, 50), sea_m)
-    export(level, "unreal", tmp_path / "out")
+    export(level, "unreal", tmp_path / "out", "height")
     words = np.fromfile(next((tmp_path / "out").glob("*.r16")), "<u2").reshape(127, 127)
     assert (words[:60, :60][::-1][10:30, 20:50] == 32768).all()
     assert read_manifest(tmp_path / "out")["world"]["sea_level_m"] == sea_m
@@ -105,7 +105,7 @@ def test_scale_z_is_the_smallest_that_holds_the_level(tmp_path, low, high):
     wanted = 100 * max(abs(low) / 256 if low < 0 else 0, high / (256 - 1 / 128))
     scale = unreal.smallest_scale_z(low, high)
     assert wanted - 1e-9 <= scale <= wanted + 1e-6
-    export(rough_level(127, low=low, high=high), "unreal", tmp_path / "out")
+    export(rough_level(127, low=low, high=high), "unreal", tmp_path / "out", "height")
     assert read_manifest(tmp_path / "out")["engine"]["scale_z"] == pytest.approx(scale, abs=1e-5)  # float32 heights
     words = np.fromfile(next((tmp_path / "out").glob("*.r16")), "<u2").astype(int)
     unused = words.min() if -low / 256 > high / (256 - 1 / 128) else 65535 - words.max()
@@ -113,7 +113,7 @@ def test_scale_z_is_the_smallest_that_holds_the_level(tmp_path, low, high):
 
 
 def test_flat_level_at_sea_level_gets_the_engines_scale(tmp_path):
-    export(Level(Grid(9, 9), np.zeros((9, 9), np.float32)), "unreal", tmp_path / "out")
+    export(Level(Grid(9, 9), np.zeros((9, 9), np.float32)), "unreal", tmp_path / "out", "height")
     assert read_manifest(tmp_path / "out")["engine"]["scale_z"] == 100.0
     assert (unreal_cm(tmp_path / "out") == 0).all()
     assert check(tmp_path / "out") == []
@@ -122,7 +122,7 @@ def test_flat_level_at_sea_level_gets_the_engines_scale(tmp_path):
 @pytest.mark.parametrize(("rows", "cols"), [(127, 64), (64, 127), (100, 30), (30, 100)])
 def test_oblong_level_keeps_square_cells_and_its_edge_goes_on(tmp_path, rows, cols):
     level = rough_level(rows, cols, cell_m=3.0)
-    export(level, "unreal", tmp_path / "out")
+    export(level, "unreal", tmp_path / "out", "height")
     manifest, cm = read_manifest(tmp_path / "out"), unreal_cm(tmp_path / "out")
     engine, part = manifest["engine"], manifest["engine"]["level_part"]
     assert engine["scale_x"] == engine["scale_y"] == pytest.approx(300)
@@ -139,7 +139,7 @@ def test_oblong_level_keeps_square_cells_and_its_edge_goes_on(tmp_path, rows, co
 
 def test_recipe_types_the_values_that_decode(tmp_path):
     """What a person types into the dialog is what the words were made with, to the last digit of ScaleZ."""
-    export(rough_level(100, 80), "unreal", tmp_path / "out", name="bay")
+    export(rough_level(100, 80), "unreal", tmp_path / "out", "height", name="bay")
     manifest = read_manifest(tmp_path / "out")
     engine, recipe = manifest["engine"], " | ".join(manifest["import_recipe"])
     assert f"Scale: X {engine['scale_x']:.6f} Y {engine['scale_y']:.6f} Z {engine['scale_z']:.6f}" in recipe

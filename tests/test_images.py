@@ -111,8 +111,8 @@ def test_a_png_cut_short_is_no_success(tmp_path, monkeypatch):
         os.truncate(path, real(path) - 20)
         return written(path)
 
-    written = images._check_written
-    monkeypatch.setattr(images, "_check_written", cut)
+    written = images.check_written
+    monkeypatch.setattr(images, "check_written", cut)
     with pytest.raises(BadInput, match="cut short"):
         write_image(tmp_path / "a.png", samples("u2", 1))
     assert done
@@ -170,3 +170,20 @@ def test_interlaced_png(tmp_path, shape):
     array = np.random.default_rng(0).integers(0, 256, shape, dtype=np.uint8)
     (tmp_path / "a.png").write_bytes(adam7(array))
     assert np.array_equal(read_image(tmp_path / "a.png")[..., 0], array)
+
+
+@pytest.mark.parametrize(("suffix", "dtype"), [(".png", np.uint8), (".png", np.uint16), (".exr", np.float32)])
+@pytest.mark.parametrize("channels", [1, 3])
+def test_rows_at_a_time_are_the_same_picture(tmp_path, suffix, dtype, channels):
+    """T09: written and read by blocks of any height, the file's samples are those of the whole picture."""
+    from shorewright.io.image_rows import read_rows, write_rows
+
+    rng = np.random.default_rng(2)
+    picture = (rng.random((71, 33, channels)) * 200).astype(dtype)
+    path = tmp_path / f"a{suffix}"
+    write_rows(path, picture.shape, dtype, (picture[start : start + 16] for start in range(0, 71, 16)))
+    np.testing.assert_array_equal(read_image(path), picture)
+    slices = [slice(0, 7), slice(7, 40), slice(40, 71)]
+    for rows, samples in read_rows(path, slices):
+        assert samples.dtype == dtype
+        np.testing.assert_array_equal(samples, picture[rows])

@@ -78,6 +78,11 @@ def test_files_by_dialog(drive):
     assert ground(saved) == found["height"] != original
     assert found["suggested"].endswith("other_raw")
     assert any(name.endswith(".glb") for name in found["exported"])
+    assert "'sand'" in found["no_map"]
+    assert found["frames"] < 4000
+    assert found["begun"]
+    assert not found["cancelled"]
+    assert "cancelled" in found["told"]
     assert "nowhere.shore" in found["error"]
     assert found["still_open"]
     assert found["reopened"] == str(drive.path)

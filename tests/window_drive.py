@@ -272,6 +272,15 @@ def panels(hands: Hands) -> None:
     hands.note(picture_healed=hands.window.picture.drawn is not None)
 
 
+def _exported(hands: Hands) -> int:
+    """Frames that the window drew until an export was through."""
+    frames = 0
+    while hands.window.dialogs.open and frames < 4000:
+        hands.ctx.yield_(1)
+        frames += 1
+    return frames
+
+
 def files(hands: Hands) -> None:
     """Save as, export and open through the dialogs, by typed paths; a bad path is told and the dialog stays."""
     ctx, folder = hands.ctx, Path(sys.argv[2]).parent
@@ -284,8 +293,21 @@ def files(hands: Hands) -> None:
     hands.key(CTRL, imgui.Key.e)
     ctx.item_click("//$FOCUSED/###target_raw")
     hands.note(suggested=hands.window.dialogs.form.field.text)
-    ctx.item_input_value("//$FOCUSED/###folder_path", str(folder / "out"))
+    ctx.item_click("//$FOCUSED/###export_maps")
+    ctx.key_chars_replace("height, mesh, sand")
+    ctx.item_click("//$FOCUSED/Export")
     ctx.yield_(4)
+    hands.note(no_map=hands.window.dialogs.error)
+    ctx.item_click("//$FOCUSED/###export_maps")
+    ctx.key_chars_replace("height, mesh")
+    ctx.item_input_value("//$FOCUSED/###folder_path", str(folder / "out"))
+    hands.note(frames=_exported(hands))
+    hands.key(CTRL, imgui.Key.e)
+    ctx.item_input_value("//$FOCUSED/###folder_path", str(folder / "cancelled"))
+    hands.note(begun=hands.window.dialogs.form.background is not None)
+    ctx.item_click("//$FOCUSED/Cancel")
+    _exported(hands)
+    hands.note(cancelled=(folder / "cancelled").exists(), told=hands.editor.messages.lines[-1].text)
     hands.note(exported=sorted(p.name for p in (folder / "out").iterdir()))
     hands.key(CTRL, imgui.Key.o)
     ctx.item_input_value("//$FOCUSED/###folder_path", str(folder / "nowhere.shore"))

@@ -45,11 +45,12 @@ class Progress:
     """Tells how far long work is; lines put meanwhile wait until the bar is gone from the terminal."""
 
     held: list[str] | None = None
-    update: Callable[[int, int], object] | None = None
+    update: Callable[[int, int, str | None], object] | None = None
 
-    def __call__(self, done: int, total: int) -> None:
+    def __call__(self, done: int, total: int, what: str | None = None) -> None:
+        """`what` replaces the bar's title."""
         if self.update:
-            self.update(done, total)
+            self.update(done, total, what)
 
     def put(self, text: str) -> None:
         put(text) if self.held is None else self.held.append(text)
@@ -70,7 +71,10 @@ def progress(title: str) -> Iterator[Progress]:
         console=Console(stderr=True), transient=True, redirect_stdout=False, redirect_stderr=False
     ) as bar:
         task = bar.add_task(title, total=None)
-        told.held, told.update = [], lambda done, total: bar.update(task, completed=done, total=total)
+        told.held, told.update = (
+            [],
+            lambda done, total, what: bar.update(task, completed=done, total=total, description=what),
+        )
         yield told
     for line in told.held:
         put(line)

@@ -7,19 +7,25 @@ from typing import Annotated
 
 from cyclopts import Parameter
 
-from .common import LevelPath, put, put_notes, words
+from .common import LevelPath, progress, put, put_notes, words
+
+STEPS = 1000  # of a whole export, for the bar
 
 
 def export(
     level: LevelPath,
     *,
-    target: Annotated[str, Parameter(help="unreal or raw.")],
+    target: Annotated[str, Parameter(help="unreal, unity, godot, godot-hterrain or raw.")],
     output: Annotated[Path, Parameter(name=["--output", "-o"], help="Folder to write; new, empty or an older export.")],
     only: Annotated[list[str] | None, Parameter(negative="", help="Maps to write, by comma; all without it.")] = None,
+    resample: Annotated[
+        bool, Parameter(negative="", help="Bring the longer side to a size the engine takes; the error is told.")
+    ] = False,
+    tile: Annotated[int | None, Parameter(help="Samples a side of each height map; tiles share their edges.")] = None,
 ) -> int:
     """Write a level as files an engine reads.
 
-    Prints their paths; the manifest comes last.
+    Prints their paths; the manifest comes last. Files that would come out the same again are kept.
     """
     from ...io import export as run
     from ...io import read_level
@@ -27,7 +33,18 @@ def export(
     notes: list[str] = []
     found = read_level(level, notes)
     put_notes(notes)
-    for path in run(found, target, output, only=words(only), name=level.resolve().name):
+    with progress("export") as bar:
+        paths = run(
+            found,
+            target,
+            output,
+            words(only),
+            level.resolve().name,
+            resample=resample,
+            tile=tile,
+            progress=lambda share, sentence: bar(round(share * STEPS), STEPS, sentence),
+        )
+    for path in paths:
         put(str(path))
     return 0
 

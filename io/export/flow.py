@@ -8,6 +8,7 @@ from __future__ import annotations
 import numpy as np
 
 from ...level.flow_bytes import NEUTRAL, FlowBytes, decoded, flow_bytes
+from .earlier import Piece
 from .job import Job
 from .manifest import describe_file
 from .records import Channel, Decode, FileRecord, FlowProbe
@@ -17,20 +18,28 @@ FORMULA = (
     "east_mps = (R - 128) / 127 * range_mps, north_mps = (G - 128) / 127 * range_mps, both 0 where |R - 128| and "
     "|G - 128| are below 0.5; x_m = column * cell_m, y_m = row_0_y_m - row * cell_m"
 )
+UNITY_FORMULA = (
+    "X_mps = (R - 128) / 127 * range_mps, Z_mps = (G - 128) / 127 * range_mps, both 0 where |R - 128| and "
+    "|G - 128| are below 0.5; x_m = column * cell_m, y_m = row_0_y_m - row * cell_m"
+)
+GODOT_FORMULA = (
+    "X_mps = (R - 128) / 127 * range_mps, Z_mps = -(G - 128) / 127 * range_mps, both 0 where |R - 128| and "
+    "|G - 128| are below 0.5; x_m = column * cell_m, y_m = row_0_y_m - row * cell_m"
+)
 UNREAL_FORMULA = (
     "X_cmps = (R - 128) / 127 * range_mps * 100, Y_cmps = -(G - 128) / 127 * range_mps * 100, both 0 where |R - 128| "
     "and |G - 128| are below 0.5; x_m = column * cell_m, y_m = row_0_y_m - row * cell_m"
 )
 
 
-def write_flow(job: Job, formula: str) -> tuple[FileRecord, list[FlowProbe]] | None:
-    """The picture, north row first, and places to check it by; None where nothing moves."""
+def write_flow(job: Job, formula: str) -> Piece:
+    """The picture, north row first, and places to check it by; nothing where nothing moves."""
     from ...level.flow import current
     from ..images import read_image, write_image
 
     coded = flow_bytes(job.level)
     if coded.still:
-        return None
+        return Piece()
     path = job.folder / f"{job.name}_flow.png"
     write_image(path, np.ascontiguousarray(coded.bytes[::-1]), data=True)
     truth = current(job.level).packed[::-1, :, :2]
@@ -51,7 +60,7 @@ def write_flow(job: Job, formula: str) -> tuple[FileRecord, list[FlowProbe]] | N
         max_error=100 * float(off.max()),
         error_unit="cm/s",
     )
-    return record, _probes(truth, coded)
+    return Piece([record], flow_probes=_probes(truth, coded))
 
 
 def _channels() -> list[Channel]:

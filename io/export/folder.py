@@ -50,6 +50,8 @@ def staged(out: Path, manifest_name: str, target: str) -> Iterator[Path]:
             part.rename(out)
     except OSError as error:
         raise BadInput(f"cannot write the export to {out}: {error.strerror or error}") from None
+    except BadInput as error:  # of a picture: nobody knows the folder that it was to come from
+        raise BadInput(str(error).replace(str(part), str(out))) from None
     finally:
         shutil.rmtree(part, ignore_errors=True)
         _let_go(lock)

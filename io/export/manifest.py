@@ -70,15 +70,20 @@ def source_sha256(level: Level) -> str:
     texts += [level.objects[key].model_dump_json() for key in sorted(level.objects)]
     digest.update("\n".join(texts).encode())
     for name in LAYERS:
-        data = level.layers[name]
-        for tile in data.grid.tiles(data.grid.rect):
-            if name != "height" and not data.written[tile]:
-                continue
-            values = data.read(data.grid.tile_rect(tile)) + np.float32(0)  # -0 and 0 are one height
-            if name == "height" or values.any():
-                digest.update(f"{name} {tile[0]} {tile[1]}".encode())
-                digest.update(np.ascontiguousarray(values, "<f4").data)
+        layer_digest(level, name, digest)
     return digest.hexdigest()
+
+
+def layer_digest(level: Level, name: str, digest) -> None:
+    """Feed a hash with the tiles of a layer that aren't all neutral."""
+    data = level.layers[name]
+    for tile in data.grid.tiles(data.grid.rect):
+        if name != "height" and not data.written[tile]:
+            continue
+        values = data.read(data.grid.tile_rect(tile)) + np.float32(0)  # -0 and 0 are one height
+        if name == "height" or values.any():
+            digest.update(f"{name} {tile[0]} {tile[1]}".encode())
+            digest.update(np.ascontiguousarray(values, "<f4").data)
 
 
 def commit() -> str | None:

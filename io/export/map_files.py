@@ -6,19 +6,26 @@ research, files 3) and for floats they go into EXR: float32, ZIP, channel Y or R
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 
+from .beat import beat
 from .codes import CODES, decoded, encoded
+from .earlier import Piece
 from .job import Job
 from .manifest import describe_file
 from .map_makers import MapRow, Samples
 from .map_rows import MAPS
+from .maps import row_slices
 from .records import Channel, Decode, FileRecord, MapProbe
 
 PROBES = 5  # a side
+WRITING = 0.7  # of the time that a file takes, the rest is for reading it back
+DTYPES = {8: np.uint8, 16: np.uint16, 32: np.float32}  # by bits
 
 
 @dataclass(frozen=True)
@@ -32,34 +39,55 @@ class MapStyle:
     green_down: bool = False
 
 
-def write_maps(job: Job, style: MapStyle) -> tuple[list[FileRecord], list[MapProbe]]:
+def write_maps(job: Job, style: MapStyle, rows: Mapping[str, MapRow] = MAPS) -> Piece:
     """All chosen maps that the level has anything of, and places to check them by."""
-    files, probes = [], []
-    for name, row in MAPS.items():
-        samples = row.make(job.level) if name in job.maps else None
-        if samples is not None:
-            record, some = write_map(job, row, samples, style)
-            files.append(record)
-            probes += some
-    return files, probes
+    all_of = Piece()
+    for row in rows.values():
+        made = job.piece(row.name, partial(_piece, job, row, style), row.follows)
+        all_of.files += made.files
+        all_of.map_probes += made.map_probes
+    return all_of
+
+
+def _piece(job: Job, row: MapRow, style: MapStyle) -> Piece:
+    samples = row.make(job.level)
+    if samples is None:
+        return Piece()
+    record, probes = write_map(job, row, samples, style)
+    return Piece([record], map_probes=probes)
+
+
+@dataclass(frozen=True)
+class Coding:
+    """How one map's samples become those of its file, `bits` 32 for floats; `low` and `high` by channel."""
+
+    code: str
+    bits: int
+    low: np.ndarray
+    high: np.ndarray
+    signs: np.ndarray
+
+    @property
+    def how(self) -> tuple:
+        return self.code, self.low, self.high, self.bits
+
+    @property
+    def whole(self) -> bool:
+        return self.bits < 32
 
 
 def write_map(job: Job, row: MapRow, samples: Samples, style: MapStyle) -> tuple[FileRecord, list[MapProbe]]:
     """One map as `NAME_map.png` or `.exr`; its record's numbers are the code's top, cell_m, row_0_y_m and its own."""
-    from ..images import read_image, write_image
-
-    values = (samples.values * _signs(row, style))[::-1]
-    bits = row.bits if row.code != "float" and (row.bits == 8 or style.deep_png) else 32
-    code = row.code if bits < 32 else "float"
-    low, high = (np.broadcast_to(np.asarray(end, np.float64), values.shape[-1:]) for end in (samples.low, samples.high))
-    path = job.folder / f"{job.name}_{row.name}.{'exr' if bits == 32 else 'png'}"
-    write_image(path, _padded(encoded(values, code, low, high, bits)), data=True)
-    off = np.abs(decoded(read_image(path)[..., : values.shape[-1]], code, low, high, bits) - values).max(axis=(0, 1))
-    rows, cols, _ = values.shape
+    coding = _coding(row, samples, style)
+    bits = coding.bits
+    path = job.folder / f"{job.name}_{row.name}.{'png' if coding.whole else 'exr'}"
+    most = _write(path, samples, coding)
+    off = _errors(path, samples, coding)
+    rows, cols, _ = samples.values.shape
     numbers = {"cell_m": samples.cell_m, "row_0_y_m": (rows - 1) * samples.cell_m, **samples.numbers}
-    channels = _channels(row, style, None if bits == 32 else (low, high), off)
+    channels = _channels(row, coding, off)
     alike = [i for i, c in enumerate(channels) if c.unit == channels[0].unit]  # whose errors can be compared
-    steps = CODES[code].step(low, high, 2**bits - 1)
+    steps = CODES[coding.code].step(coding.low, coding.high, 2**bits - 1)
     record = describe_file(
         path,
         map=row.name,
@@ -67,15 +95,60 @@ def write_map(job: Job, row: MapRow, samples: Samples, style: MapStyle) -> tuple
         width=cols,
         height=rows,
         bit_depth=bits,
-        sample_type={8: "uint8", 16: "uint16", 32: "float32"}[bits],
+        sample_type=np.dtype(DTYPES[bits]).name,
         row_0="north",
         channels=channels,
-        decode=Decode(formula=CODES[code].formula, numbers=numbers | ({"top": 2.0**bits - 1} if bits < 32 else {})),
-        step=float(steps[alike].max()) if bits < 32 else None,
+        decode=Decode(
+            formula=CODES[coding.code].formula, numbers=numbers | ({"top": 2.0**bits - 1} if coding.whole else {})
+        ),
+        step=float(steps[alike].max()) if coding.whole else None,
         max_error=float(off[alike].max()),
         error_unit=channels[0].unit,
     )
-    return record, _probes(path, values)
+    return record, _probes(path, samples, coding.signs, most)
+
+
+def _coding(row: MapRow, samples: Samples, style: MapStyle) -> Coding:
+    bits = row.bits if row.code != "float" and (row.bits == 8 or style.deep_png) else 32
+    ends = (np.broadcast_to(np.asarray(end, np.float64), len(row.channels)) for end in (samples.low, samples.high))
+    return Coding(row.code if bits < 32 else "float", bits, *ends, _signs(row, style))
+
+
+def _write(path: Path, samples: Samples, coding: Coding) -> tuple[int, int]:
+    """Write the picture; returns where its largest value is."""
+    from ..image_rows import write_rows
+
+    rows, cols, count = samples.values.shape
+    dtype, most, at = DTYPES[coding.bits], -1.0, (0, 0)
+
+    def coded() -> Iterator[np.ndarray]:
+        nonlocal most, at
+        for block, values in _blocks(samples, coding.signs):
+            size = np.abs(values).max(-1)
+            if size.max() > most:
+                row, col = np.unravel_index(size.argmax(), size.shape)
+                most, at = float(size.max()), (block.start + int(row), int(col))
+            beat(WRITING * block.stop / rows)
+            whole = encoded(values, *coding.how)
+            if count == 2:  # two channels would be grey and alpha
+                whole = np.concatenate([whole, np.zeros_like(whole[..., :1])], axis=-1)
+            yield whole
+
+    write_rows(path, (rows, cols, 3 if count == 2 else count), dtype, coded())
+    return at
+
+
+def _errors(path: Path, samples: Samples, coding: Coding) -> np.ndarray:
+    """The largest error of each channel, measured on the file."""
+    from ..image_rows import read_rows
+
+    rows, cols, count = samples.values.shape
+    back, off = read_rows(path, row_slices(rows, cols * count)), np.zeros(count)
+    for (block, values), (_, stored) in zip(_blocks(samples, coding.signs), back, strict=True):
+        beat(WRITING + (1 - WRITING) * block.stop / rows)
+        found = decoded(stored[..., :count], *coding.how)
+        off = np.maximum(off, np.abs(found - values).max(axis=(0, 1)))
+    return off
 
 
 def map_line(record: FileRecord) -> str:
@@ -102,35 +175,34 @@ def _signs(row: MapRow, style: MapStyle) -> np.ndarray:
     return sign
 
 
-def _padded(values: np.ndarray) -> np.ndarray:
-    """Two channels would be grey and alpha: a third of zeros goes with them."""
-    if values.shape[-1] != 2:
-        return np.ascontiguousarray(values)
-    return np.concatenate([values, np.zeros_like(values[..., :1])], axis=-1)
+def _blocks(samples: Samples, signs: np.ndarray) -> Iterator[tuple[slice, np.ndarray]]:
+    """(rows of the picture, float32 values), north row first, the turned channels turned."""
+    rows, cols, count = samples.values.shape
+    for block in row_slices(rows, cols * count):
+        yield block, samples.values[rows - block.stop : rows - block.start][::-1] * signs
 
 
-def _channels(row: MapRow, style: MapStyle, ends: tuple | None, off: np.ndarray) -> list[Channel]:
+def _channels(row: MapRow, coding: Coding, off: np.ndarray) -> list[Channel]:
     """The row's channels by the names that they have in the file, with their range and error."""
     letters = "Y" if len(row.channels) == 1 else "RGBA"
-    turned, found = _signs(row, style) < 0, []
+    found = []
     for index, channel in enumerate(row.channels):
         told = {"name": letters[index], "max_error": float(off[index])}
-        if turned[index]:
+        if coding.signs[index] < 0:
             told["meaning"] = channel.meaning.replace("north", "south")
-        if ends:
-            told |= {"low": float(ends[0][index]), "high": float(ends[1][index])}
+        if coding.whole:
+            told |= {"low": float(coding.low[index]), "high": float(coding.high[index])}
         found.append(channel.model_copy(update=told))
     return found
 
 
-def _probes(path: Path, values: np.ndarray) -> list[MapProbe]:
-    """What a 5 × 5 of the samples stand for, and the largest."""
-    rows, cols = values.shape[:2]
+def _probes(path: Path, samples: Samples, signs: np.ndarray, most: tuple[int, int]) -> list[MapProbe]:
+    """What a 5 × 5 of the samples stand for, and `most`, the largest."""
+    rows, cols, _ = samples.values.shape
     at = [np.linspace(0, n - 1, PROBES).round().astype(int).tolist() for n in (rows, cols)]
-    places = [(row, col) for row in at[0] for col in at[1]]
-    most = np.unravel_index(np.abs(values).max(-1).argmax(), (rows, cols))
-    places.append((int(most[0]), int(most[1])))
+    places = dict.fromkeys([*((row, col) for row in at[0] for col in at[1]), most])
+    lines = {row: samples.values[rows - 1 - row : rows - row][0] * signs for row, _ in places}
     return [
-        MapProbe(file=path.name, row=row, col=col, values=tuple(float(v) for v in values[row, col]))
-        for row, col in dict.fromkeys(places)
+        MapProbe(file=path.name, row=row, col=col, values=tuple(float(v) for v in lines[row][col]))
+        for row, col in places
     ]

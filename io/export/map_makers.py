@@ -12,11 +12,22 @@ from ...level import LAYERS, Level
 from ...level.layers import WEATHER_GRID
 from .records import Channel
 
-NO_WAVE_S = -60_000.0  # a half float still holds it
-WALK_SIDE = 257  # samples a side at which the sea is asked over a period
-WALK_MOMENTS = 12
-SHALLOW_M, DEEP_M = 0.0, 4.0  # wading depths that are told apart
 STILL_MPS = 1e-4
+
+
+@dataclass(frozen=True)
+class Rows:
+    """float32 `(rows, cols, channels)` that are made some rows at a time: a large map never lies in memory as such."""
+
+    shape: tuple[int, int, int]
+    read: Callable[[int, int], np.ndarray]  # rows from … to
+
+    def __array__(self, dtype=None, copy=None) -> np.ndarray:
+        return np.asarray(self.read(0, self.shape[0]), dtype)
+
+    def __getitem__(self, rows: slice) -> np.ndarray:
+        start, stop, _ = rows.indices(self.shape[0])
+        return self.read(start, stop)
 
 
 @dataclass(frozen=True)
@@ -26,7 +37,7 @@ class Samples:
     Both are one number for all channels, or a tuple. `numbers` go into the record, beside the code's.
     """
 
-    values: np.ndarray
+    values: np.ndarray | Rows
     cell_m: float
     low: float | tuple[float, ...] = 0.0
     high: float | tuple[float, ...] = 1.0
@@ -38,7 +49,8 @@ class MapRow:
     """One map: `code` is one of CODES, `bits` those that it needs in a picture of whole numbers.
 
     `north` is the channel with a part to the north, which targets whose second axis goes south turn round; `green` that
-    of a normal map, turned for those that want green down.
+    of a normal map, turned for those that want green down. `follows` are the layers that it is made of; () stands for
+    all a level holds.
     """
 
     name: str
@@ -49,6 +61,7 @@ class MapRow:
     bits: int = 16
     north: int | None = None
     green: int | None = None
+    follows: tuple[str, ...] = ()
 
 
 def painted(name: str) -> MapRow:
@@ -63,13 +76,22 @@ def painted(name: str) -> MapRow:
 
     label = layer.label.lower()
     channels = tuple(Channel(name=c, meaning=f"{label}: {c}", unit=layer.unit, neutral=0) for c in layer.channels)
-    return MapRow(name, layer.doc, channels, make, "signed" if layer.low < 0 else "unsigned", 8)
+    return MapRow(name, layer.doc, channels, make, "signed" if layer.low < 0 else "unsigned", 8, follows=(name,))
 
 
 def normals(level: Level) -> Samples:
-    north, east = np.gradient(level.height.astype(np.float32), level.grid.cell_m)
-    up = 1 / np.sqrt(1 + east * east + north * north)
-    return Samples(np.stack([-east * up, -north * up, up], axis=-1), level.grid.cell_m, -1.0, 1.0)
+    height, cell_m = level.height, level.grid.cell_m
+    rows, cols = height.shape
+
+    def read(start: int, stop: int) -> np.ndarray:
+        """One row more on either side, for the slope."""
+        first = max(start - 1, 0)
+        ground = height[first : min(stop + 1, rows)].astype(np.float32)
+        north, east = (slope[start - first :][: stop - start] for slope in np.gradient(ground, cell_m))
+        up = 1 / np.sqrt(1 + east * east + north * north)
+        return np.stack([-east * up, -north * up, up], axis=-1)
+
+    return Samples(Rows((rows, cols, 3), read), cell_m, -1.0, 1.0)
 
 
 def flow(level: Level) -> Samples | None:
@@ -106,67 +128,20 @@ def shore(level: Level) -> Samples | None:
     red, alpha = (np.array([0.0, 255.0]) for _ in range(2))
     distance, beach = of.decode_distance_m(red, made.range_m), of.decode_beach_m(alpha)
     towards = of.decode_direction(np.array([0.0, 255.0]))
-    packed = made.packed
-    values = np.concatenate(
-        [
-            of.decode_distance_m(packed[..., :1], made.range_m),
-            of.decode_direction(packed[..., 1:3]),
-            of.decode_beach_m(packed[..., 3:]),
-        ],
-        axis=-1,
-    )
+
+    def read(start: int, stop: int) -> np.ndarray:
+        packed = made.packed[start:stop]
+        return np.concatenate(
+            [
+                of.decode_distance_m(packed[..., :1], made.range_m),
+                of.decode_direction(packed[..., 1:3]),
+                of.decode_beach_m(packed[..., 3:]),
+            ],
+            axis=-1,
+        ).astype(np.float32)
+
     low, high = ((float(distance[i]), float(towards[i]), float(towards[i]), float(beach[i])) for i in (0, 1))
-    return Samples(values, made.cell_m, low, high, {"range_m": made.range_m})
-
-
-def arrivals(level: Level) -> Samples | None:
-    from ...level.timing import period_s, whole_maps
-
-    maps = whole_maps(level, 0.0)
-    maps.pop("front_speed")
-    values = np.full((*level.grid.shape, 3), NO_WAVE_S, np.float32)
-    for index, name in enumerate(list(maps)[:3]):
-        values[..., index] = np.nan_to_num(maps[name], nan=NO_WAVE_S)
-    if (values == NO_WAVE_S).all():
-        return None
-    return Samples(values, level.grid.cell_m, numbers={"period_s": float(period_s(level, 0.0))})
-
-
-def front_phase(level: Level) -> Samples | None:
-    made = arrivals(level)
-    if made is None:
-        return None
-    first, period = made.values[..., :1].astype(np.float64), made.numbers["period_s"]
-    phase = np.where(first == NO_WAVE_S, 1.0, np.mod(-first / period, 1.0))
-    return Samples(phase.astype(np.float32), made.cell_m, numbers=made.numbers)
-
-
-def walkable(level: Level) -> Samples | None:
-    """Depths on a coarser grid, for every sample is a sea of its own; the tide on the level's samples there."""
-    from ...level.timing import period_s
-    from ...level.walk import STEEP_M, highest_sea_m
-    from ...level.waves import sea_at
-
-    stride = max(1, -(-(max(level.grid.shape) - 1) // (WALK_SIDE - 1)))
-    ground = level.height[::stride, ::stride].astype(np.float64)
-    cell_m = stride * level.grid.cell_m
-    y, x = (np.arange(n) * cell_m for n in ground.shape)
-    x, y = np.meshgrid(x, y)
-    near = (ground < level.sea_level_m + DEEP_M) & (ground > level.sea_level_m - 3 * DEEP_M)
-    least, most = np.full(ground.shape, np.inf), np.full(ground.shape, -np.inf)
-    for t in np.arange(WALK_MOMENTS) / WALK_MOMENTS * period_s(level, 0.0):
-        if near.any():
-            depth = sea_at(level, float(t), x[near], y[near]).height_m - ground[near]
-            least[near], most[near] = np.minimum(least[near], depth), np.maximum(most[near], depth)
-    still = level.sea_level_m - ground
-    least, most = np.where(near, least, still), np.where(near, most, still)
-    highest = highest_sea_m(level, level.grid.rect)[::stride, ::stride]
-    low = min(float(highest[highest > STEEP_M].min(initial=0.0)) - 1.0, -1.0)
-    high = max(float(highest.max()), low + 1.0)
-    values = np.stack(
-        [np.clip(least, SHALLOW_M, DEEP_M), np.clip(most, SHALLOW_M, DEEP_M), np.maximum(highest, low)], -1
-    )
-    return Samples(values.astype(np.float32), cell_m, (SHALLOW_M, SHALLOW_M, low), (DEEP_M, DEEP_M, high))
+    return Samples(Rows(made.packed.shape, read), made.cell_m, low, high, {"range_m": made.range_m})
 
 
 def weather(layout: str) -> Callable[[Level], Samples | None]:

@@ -7,6 +7,7 @@ them; how they get into a file, for which target in which format, is map_files.p
 from __future__ import annotations
 
 from . import map_makers as make
+from . import map_timing
 from .map_makers import MapRow
 from .records import Channel
 
@@ -23,7 +24,7 @@ MAPS: dict[str, MapRow] = {
         MapRow("normals", "Normals of the ground, unit length.",
                (_c("east", "normal's part to the east", "", 0), _c("north", "normal's part to the north", "", 0),
                 _c("up", "normal's part upwards", "", 1)),
-               make.normals, "signed", green=1),
+               make.normals, "signed", green=1, follows=("height",)),
         MapRow("flow16", "The whole current in 16 bits: shore, points, rivers, jets, paint; exactly 0 where still.",
                (_c("east", "current to the east", "m/s", 0), _c("north", "current to the north", "m/s", 0)),
                make.flow, "signed", north=1),
@@ -42,15 +43,15 @@ MAPS: dict[str, MapRow] = {
                "Crest n passes at value + n × period_s.",
                (_c("first", "arrival of the leading swell", "s"), _c("second", "arrival of the second swell", "s"),
                 _c("third", "arrival of the third swell", "s")),
-               make.arrivals, "float"),
+               map_timing.arrivals, "float"),
         MapRow("front_phase", "Where in its period the leading swell's front is at clock time 0; 1: there is none; "
                "at t it is the fraction of value + t / period_s.",
                (_c("phase", "share of the period since the crest passed", ""),),
-               make.front_phase),
+               map_timing.front_phase),
         MapRow("walkable", "Wading depth over a period of the waves, and up to which still sea one can walk there.",
                (_c("least", "least depth over a period", "m", 0), _c("most", "greatest depth over a period", "m", 0),
                 _c("tide", "highest still sea at which one walks there; the low end: never", "m")),
-               make.walkable),
+               map_timing.walkable),
         MapRow("weather_map", "The sky at clock time 0, simulated and painted: 70 km round the level's middle, tiling.",
                (_c("coverage", "share of the sky under cloud"), _c("precipitation", "rain or snow"),
                 _c("type", "0 stratus, 1 cumulus")),

@@ -11,10 +11,13 @@ from pathlib import Path
 import numpy as np
 
 from . import flow, map_rows, maps, meshes
+from .earlier import Piece
+from .heights import probes, write_floats
 from .job import Job
+from .layout import plain_layout
 from .manifest import describe, describe_file
 from .map_files import MapStyle, map_line, write_maps
-from .records import Channel, Decode, FileRecord, Manifest, Mesh, Probe
+from .records import Channel, Decode, FileRecord, Manifest, Mesh
 
 MAPS = (
     ("height", "The ground in metres, 16 bits (.r16) and float (.exr), sample for sample."),
@@ -34,26 +37,22 @@ GLB_FORMULA = "x_m = X, y_m = -Z, height_m = Y"
 def export(job: Job) -> Manifest:
     """Write the chosen files and say everything about them."""
     level = job.level
-    files: list[FileRecord] = []
-    if "height" in job.maps:
-        files += [_r16(job), _exr(job)]
-    if "mesh" in job.maps:
-        files.append(_glb(job))
-    if "layers" in job.maps:
-        files.append(_vti(job))
-    if "weather" in job.maps and not level.layers["weather"].neutral:
-        files.append(_weather(job))
-    current = flow.write_flow(job, flow.FORMULA) if "flow" in job.maps else None
-    if current:
-        files.append(current[0])
-    pictures, map_probes = write_maps(job, MapStyle())
-    files += pictures
+    pieces = [
+        job.piece("height", lambda: Piece([_r16(job), _exr(job)]), ("height",)),
+        job.piece("mesh", lambda: Piece([_glb(job)]), ("height",)),
+        job.piece("layers", lambda: Piece([_vti(job)])),
+        job.piece("weather", lambda: _weather(job), ("weather",)),
+        job.piece("flow", lambda: flow.write_flow(job, flow.FORMULA)),
+        write_maps(job, MapStyle()),
+    ]
+    files = [record for piece in pieces for record in piece.files]
     return Manifest(
         target="raw",
         files=files,
-        probes=_probes(job),
-        flow_probes=current[1] if current else [],
-        map_probes=map_probes,
+        empty=job.empty,
+        probes=probes(job, plain_layout(level.grid.shape, level.grid.cell_m)),
+        flow_probes=[probe for piece in pieces for probe in piece.flow_probes],
+        map_probes=[probe for piece in pieces for probe in piece.map_probes],
         import_recipe=_recipe(job, files),
         **describe(
             level,
@@ -84,9 +83,8 @@ def _r16(job: Job) -> FileRecord:
     step = (high - low) / maps.TOP
     path = job.folder / f"{job.name}_height.r16"
     maps.write_u16(path, maps.row_blocks(height), low, step or 1.0)
-    words = maps.open_u16(path, *height.shape)
     error_m = maps.largest_difference(
-        maps.row_blocks(words), maps.row_blocks(height), lambda values: decode_r16(values, low, high)
+        maps.read_u16(path, *height.shape), maps.row_blocks(height), lambda values: decode_r16(values, low, high)
     )
     return describe_file(
         path,
@@ -102,12 +100,8 @@ def _r16(job: Job) -> FileRecord:
 
 
 def _exr(job: Job) -> FileRecord:
-    from ..images import read_image, write_image
-
-    height = job.level.height[::-1]
     path = job.folder / f"{job.name}_height.exr"
-    write_image(path, np.ascontiguousarray(height)[..., None])
-    back = read_image(path)
+    off = write_floats(path, job.level.height[::-1])
     return describe_file(
         path,
         **_map_fields(job),
@@ -116,7 +110,7 @@ def _exr(job: Job) -> FileRecord:
         row_0="north",
         channels=[Channel(name="Y", meaning="height of the ground above the level's zero", unit="m")],
         decode=Decode(formula=METRES),
-        max_error=100 * maps.largest_difference(maps.row_blocks(back[..., 0]), maps.row_blocks(height)),
+        max_error=100 * off,
     )
 
 
@@ -178,11 +172,13 @@ def _vti(job: Job) -> FileRecord:
     )
 
 
-def _weather(job: Job) -> FileRecord:
-    """The painted sky, sample for sample, on its own grid (Z04)."""
+def _weather(job: Job) -> Piece:
+    """The painted sky, sample for sample, on its own grid (Z04); nothing where none is painted."""
     from ..images import read_image, write_image
 
     data = job.level.layers["weather"]
+    if data.neutral:
+        return Piece()
     samples = np.ascontiguousarray(data.array[::-1])
     path = job.folder / f"{job.name}_weather.tif"
     names = data.row.channels
@@ -190,7 +186,7 @@ def _weather(job: Job) -> FileRecord:
     meanings = {"coverage": "share of the sky under cloud", "precipitation": "rain or snow",
                 "type": "0 stratus, 1 cumulus"}  # fmt: skip
     channels = [Channel(name=n, meaning=meanings.get(n, f"how much the paint counts: {n}"), unit="") for n in names]
-    return describe_file(
+    record = describe_file(
         path,
         map="weather",
         doc=DOCS["weather"],
@@ -203,22 +199,7 @@ def _weather(job: Job) -> FileRecord:
         decode=Decode(formula=SKY),
         max_error=100 * float(np.abs(read_image(path) - samples).max()),
     )
-
-
-def _probes(job: Job) -> list[Probe]:
-    """The level's ground at a 5 × 5 of its samples, counted from the north as the pictures are."""
-    grid, height = job.level.grid, job.level.height
-    return [
-        Probe(
-            col=int(col),
-            row=int(row),
-            x_m=float(col * grid.cell_m),
-            y_m=float((grid.rows - 1 - row) * grid.cell_m),
-            height_m=float(height[grid.rows - 1 - row, col]),
-        )
-        for row in np.unique(np.round(np.linspace(0, grid.rows - 1, 5)).astype(int))
-        for col in np.unique(np.round(np.linspace(0, grid.cols - 1, 5)).astype(int))
-    ]
+    return Piece([record])
 
 
 def _recipe(job: Job, files: list[FileRecord]) -> list[str]:

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from pydantic import BaseModel, ConfigDict, Field
+from pydantic import ConfigDict, Field
 
 from ... import __version__
 from ...level.grid import MAX_SIDE
+from .engine_records import Engine, Options, Record, Resampling
 
 SCHEMA = "shorewright.export"
 SCHEMA_VERSION = 2
-
-
-class Record(BaseModel):
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
 
 
 class Tool(Record):
@@ -31,7 +28,7 @@ class Source(Record):
     rows: int = Field(ge=2, le=MAX_SIDE)
     cols: int = Field(ge=2, le=MAX_SIDE)
     cell_m: float = Field(gt=0)
-    georeference: dict[str, Any] = {}
+    georeference: dict[str, Any] = Field(default_factory=dict)
 
 
 class World(Record):
@@ -44,38 +41,6 @@ class World(Record):
     sea_level_m: float
     height_min_m: float
     height_max_m: float
-
-
-class LevelPart(Record):
-    """Which part of a square landscape is the level; the rest continues its southern or eastern edge."""
-
-    cols: int
-    rows: int
-    east_cm: float
-    south_cm: float
-    outside: str
-
-
-class UnrealScale(Record):
-    """What Unreal's landscape is given; `dialog_*` is the centre, where its import dialog wants the location."""
-
-    resolution: int
-    quads_per_section: int
-    sections_per_component: str
-    components: str
-    sample_spacing_m: float
-    scale_x: float
-    scale_y: float
-    scale_z: float
-    actor_x_cm: float = 0.0
-    actor_y_cm: float = 0.0
-    actor_z_cm: float = 0.0
-    dialog_x_cm: float
-    dialog_y_cm: float
-    dialog_z_cm: float = 0.0
-    sea_level_v: int = 32768
-    sea_level_z_cm: float = 0.0
-    level_part: LevelPart
 
 
 class Tiles(Record):
@@ -107,7 +72,7 @@ class Channel(Record):
 
 class Decode(Record):
     formula: str
-    numbers: dict[str, float] = {}
+    numbers: dict[str, float] = Field(default_factory=dict)
 
 
 class Mesh(Record):
@@ -121,7 +86,9 @@ class Mesh(Record):
 class FileRecord(Record):
     """One file: `max_error` is measured on the bytes written, decoded by `decode`, against the level.
 
-    It and `step`, the quantisation's, are in `error_unit`. Files that hold no samples have a width and height of 0.
+    It and `step`, the quantisation's, are in `error_unit`. Files that hold no samples have a width and height of 0. For
+    a resampled ground the error is that of the quantisation; `resampling` states the other. `follows_sha256` tells an
+    export whether this file would come out the same.
     """
 
     name: str
@@ -142,10 +109,14 @@ class FileRecord(Record):
     max_error: float = Field(ge=0)
     error_unit: str = "cm"
     mesh: Mesh | None = None
+    resampling: Resampling | None = None
+    follows_sha256: str = ""
 
 
 class Probe(Record):
-    """The level's own ground at one sample of the exported height map, for a check without the level."""
+    """The level's own ground at one sample of the exported height map, over all its tiles: for a check without the
+    level.
+    """
 
     col: int
     row: int
@@ -181,14 +152,16 @@ class Manifest(Record):
     target: str
     source: Source
     world: World
-    engine: UnrealScale | None = None
+    options: Options = Options()
+    engine: Engine | None = None
     tiles: Tiles = Tiles()
     waves: Waves
     files: list[FileRecord]
-    probes: list[Probe] = []
-    flow_probes: list[FlowProbe] = []
-    map_probes: list[MapProbe] = []
+    empty: dict[str, str] = Field({}, description="Maps that the level has nothing of, and what that follows from.")
+    probes: list[Probe] = Field(default_factory=list)
+    flow_probes: list[FlowProbe] = Field(default_factory=list)
+    map_probes: list[MapProbe] = Field(default_factory=list)
     import_recipe: list[str]
-    notes: list[str] = []
+    notes: list[str] = Field(default_factory=list)
 
     model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False, populate_by_name=True)

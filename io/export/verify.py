@@ -11,11 +11,21 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from ...level import BadInput
-from . import verify_maps
 from .manifest import SUFFIX, file_sha256, inside, load, signature
 from .records import SCHEMA, SCHEMA_VERSION, FileRecord, Manifest
+from .verify_godot import check_godot
+from .verify_raw import check_raw
+from .verify_unity import check_unity
+from .verify_unreal import check_unreal
 
-TARGETS = {"unreal": verify_maps.check_unreal, "raw": verify_maps.check_raw}
+TARGETS = {
+    "unreal": check_unreal,
+    "raw": check_raw,
+    "unity": check_unity,
+    "godot": check_godot,
+    "godot-hterrain": check_godot,
+}
+HEIGHT_MAPS = (".r16", ".raw")
 
 
 def check(path: str | Path) -> list[str]:
@@ -100,7 +110,7 @@ def _strangers(folder: Path, manifest: Manifest) -> list[str]:
     listed = {record.name for record in manifest.files}
     findings = []
     for entry in sorted(folder.iterdir()):
-        if entry.name not in listed and entry.suffix.lower() == ".r16":
+        if entry.name not in listed and entry.suffix.lower() in HEIGHT_MAPS:
             findings.append(f"{entry.name} is a height map that the manifest does not list")
         sidecar = entry.suffix.lower() == ".json" and f"{entry.stem}.r16" in listed
         if sidecar:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 
 from ...level import BadInput
 from .codes import CODES, decoded
+from .map_makers import MapRow
 from .map_rows import MAPS
 from .records import FileRecord, Manifest
 
@@ -16,13 +18,21 @@ SLACK = 1e-6
 BITS = {"uint8": 8, "uint16": 16, "float32": 32}
 
 
-def check_maps(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
-    """Findings about all files of a manifest that are maps of MAPS."""
-    return [found for record in manifest.files if record.map in MAPS for found in _check(manifest, record, whole)]
+def check_maps(
+    manifest: Manifest, whole: dict[str, Path], more: Mapping[str, MapRow] = MappingProxyType({})
+) -> list[str]:
+    """Findings about all files of a manifest that are maps of MAPS, or of a target's own `more`."""
+    rows = {**MAPS, **more}
+    return [
+        found
+        for record in manifest.files
+        if record.map in rows
+        for found in _check(manifest, record, whole, rows[record.map])
+    ]
 
 
-def _check(manifest: Manifest, record: FileRecord, whole: dict[str, Path]) -> Iterator[str]:
-    row, numbers = MAPS[record.map], record.decode.numbers
+def _check(manifest: Manifest, record: FileRecord, whole: dict[str, Path], row: MapRow) -> Iterator[str]:
+    numbers = record.decode.numbers
     bits = BITS.get(record.sample_type, 0)
     code = "float" if bits == 32 else row.code
     wanted = {"cell_m", "row_0_y_m"} | ({"top"} if bits < 32 else set())

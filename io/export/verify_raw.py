@@ -1,4 +1,4 @@
-"""What the files of each target must decode to, beyond being the bytes that were written."""
+"""Files of a raw export: what they must decode to, beyond being the bytes that were written."""
 
 from __future__ import annotations
 
@@ -13,121 +13,9 @@ from . import flow, maps, meshes
 from .map_rows import MAPS
 from .raw import R16_FORMULA, decode_r16
 from .records import FileRecord, Manifest
-from .unreal import FORMULA, MID, decode_cm, smallest_scale_z, square_over
 from .verify_flow import check_flow
+from .verify_ground import SLACK_CM, check_probes, check_range, check_step
 from .verify_map_files import check_maps
-
-SLACK_CM = 1e-5  # float64 arithmetic on metres, not quantisation
-
-
-def _near(value: float, wanted: float) -> bool:
-    return abs(value - wanted) <= 1e-9 * max(abs(wanted), 1e-9)
-
-
-def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
-    """Findings about a landscape; `whole` are the listed files whose bytes are the ones written."""
-    own = [record for record in manifest.files if record.map not in MAPS]
-    by_suffix = {Path(record.name).suffix: record for record in own}
-    odd = not manifest.files or set(by_suffix) - {".r16", ".png"} or len(by_suffix) != len(own)
-    if manifest.engine is None or odd:
-        return ["an Unreal export has one height map or current and says how to scale it; this manifest does not"]
-    findings = [*_scale(manifest)]
-    if ".r16" in by_suffix:
-        findings += _landscape(manifest, by_suffix[".r16"], whole)
-    if ".png" in by_suffix:
-        findings += check_flow(manifest, by_suffix[".png"], whole, flow.UNREAL_FORMULA)
-    return findings + check_maps(manifest, whole)
-
-
-def _scale(manifest: Manifest) -> Iterator[str]:
-    """The landscape's size and scale, worked out again from the level's size and range."""
-    scale, source, world = manifest.engine, manifest.source, manifest.world
-    try:
-        wanted = square_over(source.rows, source.cols, source.cell_m)
-    except BadInput as error:
-        yield str(error)
-        return
-    count = wanted.size.samples
-    if scale.resolution != count:
-        yield f"a landscape of {scale.resolution} samples a side is not the smallest that holds this level: {count}"
-    spacing = 100 * wanted.spacing_m
-    if not (_near(scale.scale_x, spacing) and _near(scale.scale_y, spacing)):
-        yield f"ScaleX {scale.scale_x} and ScaleY {scale.scale_y} should be {spacing}: 100 × world_m / (N - 1)"
-    low, high = world.height_min_m - world.sea_level_m, world.height_max_m - world.sea_level_m
-    smallest = smallest_scale_z(low, high)
-    if abs(scale.scale_z - smallest) > 2e-6:
-        yield f"ScaleZ {scale.scale_z} is not the smallest that holds {low} to {high} m: {smallest}"
-    if (scale.actor_z_cm, scale.sea_level_v, scale.sea_level_z_cm) != (0.0, MID, 0.0):
-        yield f"the sea has to lie at Z 0 = value {MID}"
-    if scale.level_part != wanted.part:
-        yield "the part of the landscape that is the level is stated wrongly"
-
-
-def _landscape(manifest: Manifest, record: FileRecord, whole: dict[str, Path]) -> Iterator[str]:
-    """The words of the height map, decoded with the engine's formula and the manifest's scale."""
-    scale, world = manifest.engine, manifest.world
-    numbers = {"ScaleZ": scale.scale_z, "ActorZ": scale.actor_z_cm}
-    if record.decode.formula != FORMULA or record.decode.numbers != numbers:
-        yield f"{record.name} is to be decoded by other numbers than the landscape's scale"
-    if (record.width, record.height) != (scale.resolution, scale.resolution):
-        yield f"{record.name} is {record.width} × {record.height}, the landscape {scale.resolution} a side"
-    yield from _step(record, scale.scale_z / 128)
-
-    def height_m(words):
-        return decode_cm(words, scale.scale_z, scale.actor_z_cm) / 100 + world.sea_level_m
-
-    yield from _words(manifest, record, whole, height_m)
-
-
-def _step(record: FileRecord, step_cm: float) -> Iterator[str]:
-    """The stated step is the format's, and rounding can be off by half of it at most."""
-    stated = record.step
-    if stated is None or abs(stated - step_cm) > 1e-9 * max(step_cm, 1):
-        yield f"{record.name} is said to have steps of {stated} cm; they are {step_cm} cm"
-    if record.max_error > step_cm / 2 + SLACK_CM:
-        yield f"{record.name} is said to be {record.max_error} cm off, more than half a step of {step_cm} cm"
-
-
-def _words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], height_m: Callable) -> Iterator[str]:
-    """Range and probes of a 16-bit height map."""
-    if record.name not in whole:
-        return
-    try:
-        words = maps.open_u16(whole[record.name], record.height, record.width)
-    except ValueError as error:
-        yield str(error)
-        return
-    allowed_m = (record.max_error + SLACK_CM) / 100
-    yield from _range(manifest, record, height_m(words.min()), height_m(words.max()), allowed_m)
-    yield from _probes(manifest, record, lambda row, col: height_m(words[row, col]), allowed_m)
-
-
-def _range(manifest: Manifest, record: FileRecord, low: float, high: float, allowed_m: float) -> Iterator[str]:
-    world = manifest.world
-    if not (low >= world.height_min_m - allowed_m and high <= world.height_max_m + allowed_m):
-        yield (
-            f"{record.name} decodes to {float(low):.4f} … {float(high):.4f} m, "
-            f"the level has {world.height_min_m:.4f} … {world.height_max_m:.4f} m"
-        )
-
-
-def _probes(manifest: Manifest, record: FileRecord, height_at: Callable, allowed_m: float) -> Iterator[str]:
-    """The level's own ground, kept in the manifest, against what the file decodes to; the worst place is named."""
-    inside = [p for p in manifest.probes if 0 <= p.row < record.height and 0 <= p.col < record.width]
-    if not inside or len(inside) != len(manifest.probes):
-        yield f"the manifest has no probes that lie on {record.name}"
-        return
-    worst, probe = max(
-        ((abs(float(height_at(p.row, p.col)) - p.height_m), p) for p in inside), key=lambda pair: pair[0]
-    )
-    if not worst <= allowed_m:
-        yield (
-            f"{record.name} is {100 * worst:.4f} cm off the level at column {probe.col}, row {probe.row}; "
-            f"the manifest promises {record.max_error:.4f} cm"
-        )
-
-
-# Raw
 
 
 def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
@@ -195,8 +83,8 @@ def _exact(manifest: Manifest, record: FileRecord, whole: dict[str, Path], read:
     if values.shape != (source.rows, source.cols) or (record.height, record.width) != values.shape:
         return [f"{record.name} holds {values.shape[1]} × {values.shape[0]} samples, the level has another size"], None
     allowed_m = (record.max_error + SLACK_CM) / 100
-    found = [*_range(manifest, record, values.min(), values.max(), allowed_m)]
-    return [*found, *_probes(manifest, record, lambda row, col: values[row, col], allowed_m)], values
+    found = [*check_range(manifest, record, values.min(), values.max(), allowed_m)]
+    return [*found, *check_probes(manifest, record, lambda row, col: values[row, col], allowed_m)], values
 
 
 def _raw_words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground) -> Iterator[str]:
@@ -208,7 +96,7 @@ def _raw_words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], g
     if (record.width, record.height) != (manifest.source.cols, manifest.source.rows):
         yield f"{record.name} is said to be {record.width} × {record.height}, the level has another size"
         return
-    yield from _step(record, 100 * (high - low) / maps.TOP)
+    yield from check_step(record, 100 * (high - low) / maps.TOP)
     before = [*_words(manifest, record, whole, lambda words: decode_r16(words, low, high))]
     yield from before
     if before or ground is None or record.name not in whole:
@@ -249,3 +137,17 @@ def _mesh(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground
     error_cm = 100 * float(np.abs(positions[:, 1] - ground[row, col]).max())
     if not error_cm <= record.max_error + SLACK_CM:
         yield f"{record.name} is {error_cm:.4f} cm off the ground; the manifest promises {record.max_error:.4f} cm"
+
+
+def _words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], height_m: Callable) -> Iterator[str]:
+    """Range and probes of a 16-bit height map."""
+    if record.name not in whole:
+        return
+    try:
+        words = maps.open_u16(whole[record.name], record.height, record.width)
+    except ValueError as error:
+        yield str(error)
+        return
+    allowed_m = (record.max_error + SLACK_CM) / 100
+    yield from check_range(manifest, record, height_m(words.min()), height_m(words.max()), allowed_m)
+    yield from check_probes(manifest, record, lambda row, col: height_m(words[row, col]), allowed_m)

@@ -1,0 +1,71 @@
+"""Exports for Godot's terrain plug-ins: their numbers, floats and words, the current, the maps."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+
+from ...level import BadInput
+from . import flow
+from .engine_records import GodotTerrain
+from .godot import EXR_FORMULA, hterrain_layout, terrain3d_layout, terrain_of, words_of
+from .layout import Layout
+from .records import FileRecord, Manifest
+from .verify_flow import check_flow
+from .verify_ground import SLACK_CM, check_heights, check_probes, check_range, own_records, said_otherwise
+from .verify_map_files import check_maps
+
+PLUGINS = {"godot": ("terrain3d", ".r16"), "godot-hterrain": ("hterrain", ".raw")}
+
+
+def check_godot(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
+    """Findings about either; `whole` are the listed files whose bytes are the ones written."""
+    own, terrain, source, world = own_records(manifest), manifest.engine, manifest.source, manifest.world
+    if not manifest.files or set(own) - {"height", "flow"} or not isinstance(terrain, GodotTerrain):
+        return ["a Godot export has height maps, currents or maps and says how to read them; this manifest does not"]
+    plugin, suffix = PLUGINS[manifest.target]
+    shape = source.rows, source.cols
+    try:
+        if plugin == "terrain3d":
+            layout = terrain3d_layout(shape, source.cell_m)
+        else:
+            layout = hterrain_layout(shape, source.cell_m, manifest.options)
+    except BadInput as error:
+        return [str(error)]
+    low, high = world.height_min_m - world.sea_level_m, world.height_max_m - world.sea_level_m
+    findings = [*said_otherwise(terrain, terrain_of(layout, plugin, low, high if high > low else low + 1.0))]
+    heights = own.get("height", [])
+    if heights:
+        words = [record for record in heights if not record.name.endswith(".exr")]
+        name = f"{source.name}_height{suffix}"
+        findings += check_heights(manifest, words, whole, layout, words_of(terrain), lambda _: name)
+        floats = [record for record in heights if record not in words]
+        if [record.name for record in floats] != ([f"{source.name}_height.exr"] if plugin == "terrain3d" else []):
+            findings.append("Terrain3D gets its height as .exr and as .r16, HTerrain as .raw; here it is otherwise")
+        for record in floats:
+            findings += _floats(manifest, record, whole, layout)
+    for record in own.get("flow", []):
+        findings += check_flow(manifest, record, whole, flow.GODOT_FORMULA)
+    return findings + check_maps(manifest, whole)
+
+
+def _floats(manifest: Manifest, record: FileRecord, whole: dict[str, Path], layout: Layout) -> Iterator[str]:
+    """The EXR: its size, range and probes."""
+    from ..images import read_image
+
+    if record.decode.formula != EXR_FORMULA or record.row_0 != "north":
+        yield f"{record.name} is to be read otherwise than Terrain3D reads it"
+    if record.name not in whole:
+        return
+    try:
+        values = read_image(whole[record.name])
+    except BadInput as error:
+        yield str(error)
+        return
+    wanted = len(layout.rows_at), len(layout.cols_at), 1
+    if values.shape != wanted or (record.height, record.width) != wanted[:2] or values.dtype.name != "float32":
+        yield f"{record.name} holds {values.shape} samples of {values.dtype}; {wanted} floats were said"
+        return
+    sea, allowed_m = manifest.world.sea_level_m, (record.max_error + SLACK_CM) / 100
+    yield from check_range(manifest, record, float(values.min()) + sea, float(values.max()) + sea, allowed_m)
+    yield from check_probes(manifest, record, lambda row, col: float(values[row, col, 0]) + sea, allowed_m)
