@@ -5,6 +5,7 @@ import pytest
 from coasts import make_beach
 from shorewright.level import Grid, Level
 from shorewright.level.beach_mesh import beach_cells, beach_mesh
+from shorewright.level.beach_raster import beach_raster
 from shorewright.level.objects import SeaPatch
 from shorewright.level.patches import BASE_M
 
@@ -116,3 +117,15 @@ def test_settings_shape_it():
         level.set(f"beach_mesh.{name}", value)
         counts.append(len(beach_mesh(level).xy))
     assert len(set(counts)) == 5, counts
+
+
+def test_the_view_shows_bias_and_edges(level):
+    """H03: on samples it is the mesh: the area that it covers, its bias at its vertices, edges at 0 m."""
+    mesh, (samples, cell_m) = beach_mesh(level), beach_raster(level)
+    covered = samples[..., 3].sum() * cell_m**2
+    assert covered == pytest.approx(mesh.area_m2.sum(), rel=0.06)
+    grid = mesh.border & (mesh.xy > 0).all(1) & (mesh.xy < np.array(level.grid.extent_m)).all(1)
+    col, row = np.rint(mesh.xy[grid] / cell_m).astype(int).T
+    assert samples[row, col, 0] == pytest.approx(1, abs=1e-5)
+    assert np.abs(samples[row, col, 1]).max() < 1e-5
+    assert samples[..., 1].max() < 5.1  # no circle in a triangle of the grid is larger
