@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Literal
 
+from .beach_settings import BeachMesh
 from .land_settings import Ground, Scatter, Walk, Wet
 from .mouth_settings import MouthLook
 from .params import Section, param
@@ -218,6 +219,7 @@ class Settings(Section):
 
     level: WaterLevel = WaterLevel()
     sea: Sea = Sea()
+    beach_mesh: BeachMesh = BeachMesh()
     shore: Shore = Shore()
     timing: Timing = Timing()
     river: RiverLook = RiverLook()

@@ -6,6 +6,7 @@ import numpy as np
 
 from ..level import Level
 from ..level.arrival_map import ArrivalMap
+from ..level.beach_raster import beach_raster
 from ..level.flow import current
 from ..level.flow_bytes import flow_bytes
 from ..level.layers import WEATHER_GRID
@@ -47,6 +48,16 @@ class DerivedTextures(HeldTextures):
             self._whole("u_patch_kinds", made.kinds, "f1")
             self.seen["patch_kinds"] = key, (made.col0, made.row0)
         return self.textures["u_patch_kinds"], self.seen["patch_kinds"][1]
+
+    def beach_mesh(self, level: Level):
+        """The beach mesh on samples (H03), RGBA16F with a linear filter, and metres a sample."""
+        key = level.revision, level.settings
+        if self.seen.get("beach_mesh", (None,))[0] != key:
+            values, cell_m = beach_raster(level)
+            self._whole("u_beach_mesh", values, "f2")
+            self.textures["u_beach_mesh"].filter = self.ctx.LINEAR, self.ctx.LINEAR
+            self.seen["beach_mesh"] = key, cell_m
+        return self.textures["u_beach_mesh"], self.seen["beach_mesh"][1]
 
     def shore_field(self, level: Level):
         """Distance, direction, beach (H10, H11), RGBA8 with a linear filter; only what changed is sent."""

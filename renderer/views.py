@@ -204,6 +204,11 @@ VIEWS: dict[str, View] = {
              "red removed; grey is the horizon's plane.",
              "patch_colour(position.xy, s.eye_depth * u_pixel_angle) * (0.6 + 0.4 * on_sea)", "direct",
              ids="H01 H27"),
+        View("beach_mesh", "Beach mesh", "The mesh along the waterline by its tessellation bias: from blue, small "
+             "triangles, to yellow, those of 50 m² of the 10 m grid, which its border has; white edges.",
+             "beach_mesh_colour(position.xy, s.eye_depth * u_pixel_angle, "
+             "mix(0.06 + 0.7 * s.albedo, vec3(0.03, 0.06, 0.10), on_sea))", "direct",
+             ids="H03"),
         View("wave_objects", "Wave objects", "How many reach each hectare: blue one, green two, sand three, red four; "
              "white their weight, violet regions of swell.",
              "wave_objects_colour(position.xy, s.eye_depth * u_pixel_angle) * (0.4 + 0.6 * on_sea)", "direct",

@@ -169,6 +169,7 @@ def test_views_compile_with_at_most_16_samplers(ctx):
             defines |= {"SHORE_FIELD": ""} if "shore_field" in view.value else {}
             defines |= {"HIGH_CLOUDS": ""} if "cirrus_at" in view.value or "alto_at" in view.value else {}
             defines |= {"PATCHES": ""} if "patch_colour" in view.value else {}
+            defines |= {"BEACH_MESH": ""} if "beach_mesh" in view.value else {}
             defines |= {"WEATHER_STAGE": ""} if "weather_stage" in view.value else {}
             defines |= {"WEATHER": ""} if "rain_at" in view.value or "weather_map" in view.value else {}
             defines |= {"PASSAGE": ""} if "passage" in view.value else {}

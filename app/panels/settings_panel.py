@@ -19,11 +19,11 @@ from . import curve_editor, loop_table, tide_curve
 OPEN = ("shore", "sea")
 # what is turned most comes first
 ORDER = ("shore", "sea", "timing", "water", "foam", "flow", "force", "caustics", "glare", "quiet", "things", "light",
-         "weather", "clouds", "storm", "rain", "fog", "cloud_terms", "ground", "wet", "scatter", "tide", "walk", "time",
-         "level")  # fmt: skip
+         "weather", "clouds", "storm", "rain", "fog", "cloud_terms", "ground", "wet", "scatter", "tide", "walk",
+         "beach_mesh", "time", "level")  # fmt: skip
 TITLES = {"sea": "Open sea", "shore": "Shore waves", "water": "Water colour", "fog": "Haze", "wet": "Wet shore",
           "glare": "Highlight", "quiet": "Quiet area", "things": "Props and rings", "force": "Pushed water",
-          "walk": "Walkable", "timing": "Timing of waves", "cloud_terms": "Terms of clouds",
+          "walk": "Walkable", "beach_mesh": "Beach mesh", "timing": "Timing of waves", "cloud_terms": "Terms of clouds",
           "level": "Sea level and seed"}  # fmt: skip
 _filter = {"text": ""}
 

@@ -58,7 +58,7 @@ def terrain_mesh(height: np.ndarray, cell_m: float, budget: int = TRIANGLE_BUDGE
     normals = np.stack([-slope_east, np.ones_like(ground), slope_north], axis=-1)
     normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
     uv = np.stack([_across(east / east[-1], ground), _down(north / north[-1], ground)], axis=-1)
-    faces = _faces(len(rows_at), len(cols_at))
+    faces = quads(len(rows_at), len(cols_at))
     as_rows = [part.reshape(-1, part.shape[-1]).astype(np.float32) for part in (positions, normals, uv)]
     return TerrainMesh(*as_rows, faces, rows_at, cols_at, stride)
 
@@ -71,7 +71,7 @@ def _down(values: np.ndarray, like: np.ndarray) -> np.ndarray:
     return np.broadcast_to(values[:, None], like.shape)
 
 
-def _faces(rows: int, cols: int) -> np.ndarray:
+def quads(rows: int, cols: int) -> np.ndarray:
     """Two triangles a cell, split from its south-west to its north-east corner."""
     south_west = (np.arange(rows - 1)[:, None] * cols + np.arange(cols - 1)).ravel()
     south_east, north_west, north_east = south_west + 1, south_west + cols, south_west + cols + 1

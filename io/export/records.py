@@ -83,6 +83,21 @@ class Mesh(Record):
     surface_error_cm: float
 
 
+class MeshPart(Record):
+    """One mesh of a GLB of MESHES, of which nodes may show several: its own axes, before they place it."""
+
+    name: str
+    vertices: int = Field(ge=0)
+    triangles: int = Field(ge=0)
+    nodes: int = Field(ge=1)
+    low: tuple[float, float, float]
+    high: tuple[float, float, float]
+    uv_low: tuple[float, float]
+    uv_high: tuple[float, float]
+    upward: bool = Field(description="No normal points down: what lies on ground or water.")
+    surface_error_cm: float = Field(ge=0, description="Largest distance of the file's meshes from what they stand for.")
+
+
 class FileRecord(Record):
     """One file: `max_error` is measured on the bytes written, decoded by `decode`, against the level.
 
@@ -111,6 +126,7 @@ class FileRecord(Record):
     mesh: Mesh | None = None
     resampling: Resampling | None = None
     follows_sha256: str = ""
+    parts: tuple[MeshPart, ...] = ()
 
 
 class Probe(Record):

@@ -51,6 +51,9 @@ def bind_view(frame: Frame, view: View) -> dict[str, str]:
         defines["PATCHES"] = ""
         frame.textures["u_patch_kinds"], frame.uniforms["u_patch_first"] = uploader.patch_kinds(frame.level)
         frame.uniforms |= extent_uniforms(frame, sea_extent(frame))
+    if "beach_mesh" in view.value:
+        defines["BEACH_MESH"] = ""
+        frame.textures["u_beach_mesh"], frame.uniforms["u_beach_mesh_cell_m"] = uploader.beach_mesh(frame.level)
     if "weather_stage" in view.value:
         defines["WEATHER_STAGE"] = ""
         weather.bind_map(frame, view.name.removeprefix("weather_"))

@@ -49,6 +49,9 @@ uniform sampler2D u_walkable;
 #ifdef PATCHES
 #include "lib/patches.glsl"
 #endif
+#ifdef BEACH_MESH
+#include "lib/beach_mesh.glsl"
+#endif
 #ifdef WEATHER
 #include "level/rain.glsl"
 #endif

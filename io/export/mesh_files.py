@@ -1,0 +1,92 @@
+"""Meshes of MESHES as GLB files, read back, so that the record's numbers are those of the bytes."""
+
+from __future__ import annotations
+
+from functools import partial
+
+import numpy as np
+
+from .earlier import Piece
+from .job import Job
+from .manifest import describe_file
+from .mesh_glb import AXES, Part, ReadPart, read_parts, write_parts
+from .mesh_rows import MESHES, MeshRow
+from .records import Channel, Decode, FileRecord, MeshPart
+
+FORMULA = "x_m = X, y_m = -Z, height_m = Y, after the node's matrix"
+
+
+def write_meshes(job: Job) -> Piece:
+    """All chosen meshes that the level has anything of, as `NAME_mesh.glb`."""
+    return Piece([file for row in MESHES.values() for file in job.piece(row.name, partial(_piece, job, row)).files])
+
+
+def _piece(job: Job, row: MeshRow) -> Piece:
+    parts, off_m = row.make(job.level)
+    return Piece([write_mesh(job, row, parts, off_m)] if parts else [])
+
+
+def write_mesh(job: Job, row: MeshRow, parts: list[Part], off_m: float) -> FileRecord:
+    """One GLB; `max_error` is of its bytes, how far thinning is off the ground stands in its parts."""
+    path = job.folder / f"{job.name}_{row.name}.glb"
+    write_parts(path, parts, row.name, row.colour)
+    back = read_parts(path)
+    wanted = [(part.positions @ AXES.T).astype(np.float32) for part in parts]
+    error_m = max(
+        float(np.abs(found.values["POSITION"] - made).max()) for made, found in zip(wanted, back, strict=True)
+    )
+    told = [_part(part, found, off_m) for part, found in zip(parts, back, strict=True)]
+    return describe_file(
+        path,
+        map=row.name,
+        doc=row.doc,
+        width=0,
+        height=0,
+        bit_depth=32,
+        sample_type="float32",
+        row_0=None,
+        channels=_channels(row),
+        decode=Decode(formula=FORMULA),
+        max_error=100 * error_m,
+        parts=tuple(told),
+    )
+
+
+def _channels(row: MeshRow) -> list[Channel]:
+    return [
+        Channel(name="POSITION", meaning="X east, Y up, -Z north", unit="m"),
+        Channel(name="NORMAL", meaning="unit normal", unit=""),
+        Channel(name="TANGENT", meaning="direction of growing u, square to the normal; w 1", unit=""),
+        Channel(name="TEXCOORD_0", meaning=row.uv, unit=""),
+        *(
+            Channel(name=f"COLOR_0.{letter}", meaning=told, unit="")
+            for letter, told in zip("RGBA", row.masks, strict=True)
+        ),
+    ]
+
+
+def _part(part: Part, found: ReadPart, off_m: float) -> MeshPart:
+    positions, uv = found.values["POSITION"], found.values["TEXCOORD_0"]
+    return MeshPart(
+        name=found.name,
+        vertices=len(positions),
+        triangles=len(found.triangles),
+        nodes=found.nodes,
+        low=tuple(positions.min(0).tolist()),
+        high=tuple(positions.max(0).tolist()),
+        uv_low=tuple(uv.min(0).tolist()),
+        uv_high=tuple(uv.max(0).tolist()),
+        upward=part.upward,
+        surface_error_cm=100 * off_m,
+    )
+
+
+def mesh_line(record: FileRecord) -> str:
+    """How to take it up, in one line."""
+    triangles = sum(part.triangles for part in record.parts)
+    masks = "; ".join(f"{c.name[-1]} {c.meaning}" for c in record.channels if c.name.startswith("COLOR_0"))
+    uv = next(c.meaning for c in record.channels if c.name == "TEXCOORD_0")
+    return (
+        f"{record.name}: {len(record.parts)} meshes, {triangles} triangles; glTF's axes (Y up, metres, north is -Z), "
+        f"which importers turn to their engine's; UV {uv}; vertex colour, linear data, not tint: {masks}"
+    )
