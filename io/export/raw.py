@@ -12,6 +12,7 @@ import numpy as np
 
 from . import flow, map_rows, maps, meshes
 from .job import Job
+from .kit import files as kit
 from .manifest import describe, describe_file
 from .map_files import MapStyle, map_line, write_maps
 from .records import Channel, Decode, FileRecord, Manifest, Mesh, Probe
@@ -23,6 +24,7 @@ MAPS = (
     ("weather", "The painted sky with its weights, six channels of float in a TIFF; only where something is painted."),
     flow.MAP,
     *map_rows.told(),
+    kit.MAP,
 )
 DOCS = dict(MAPS)
 R16_FORMULA = "height_m = v / 65535 * (max_m - min_m) + min_m"
@@ -47,7 +49,7 @@ def export(job: Job) -> Manifest:
     if current:
         files.append(current[0])
     pictures, map_probes = write_maps(job, MapStyle())
-    files += pictures
+    files += [*pictures, *kit.write_kit(job, kit.LANGUAGES)]
     return Manifest(
         target="raw",
         files=files,
@@ -230,10 +232,11 @@ def _recipe(job: Job, files: list[FileRecord]) -> list[str]:
         ".vti": f"{grid.cols} x {grid.rows} points, south row first, for ParaView or pyvista.read",
         ".tif": _sky_line(job),
     }
-    own = [file for file in files if file.map not in {"flow", *map_rows.MAPS}]
+    own = [file for file in files if file.map not in {"flow", kit.NAME, *map_rows.MAPS}]
     told = [f"{file.name}: {lines[Path(file.name).suffix]}" for file in own]
     told += [line for file in files if file.map == "flow" for line in flow.recipe(file)]
     told += [map_line(file) for file in files if file.map in map_rows.MAPS]
+    told += [kit.kit_line(file) for file in files if file.map == kit.NAME]
     return [*told, f"One sample every {grid.cell_m:g} m; the sea lies at height {job.level.sea_level_m:g} m."]
 
 

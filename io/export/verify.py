@@ -12,6 +12,7 @@ from pydantic import ValidationError
 
 from ...level import BadInput
 from . import verify_maps
+from .kit.verify import check_kit
 from .manifest import SUFFIX, file_sha256, inside, load, signature
 from .records import SCHEMA, SCHEMA_VERSION, FileRecord, Manifest
 
@@ -72,7 +73,7 @@ def _check_manifest(folder: Path, path: Path) -> list[str]:
     findings += _strangers(folder, manifest)
     if manifest.target not in TARGETS:
         return [*findings, f"{path.name} names a target this program does not know: {manifest.target!r}"]
-    return findings + TARGETS[manifest.target](manifest, whole)
+    return findings + TARGETS[manifest.target](manifest, whole) + check_kit(manifest, whole)
 
 
 def _check_file(folder: Path, record: FileRecord) -> list[str]:

@@ -26,7 +26,7 @@ def _near(value: float, wanted: float) -> bool:
 
 def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     """Findings about a landscape; `whole` are the listed files whose bytes are the ones written."""
-    own = [record for record in manifest.files if record.map not in MAPS]
+    own = [record for record in manifest.files if record.map not in {"kit", *MAPS}]
     by_suffix = {Path(record.name).suffix: record for record in own}
     odd = not manifest.files or set(by_suffix) - {".r16", ".png"} or len(by_suffix) != len(own)
     if manifest.engine is None or odd:
@@ -134,7 +134,7 @@ def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     """Findings about raw files: each against the probes, the 16 bits and the mesh against the float map."""
     findings: list[str] = []
     ground: np.ndarray | None = None  # north first, metres, exact
-    own = [record for record in manifest.files if record.map not in MAPS]
+    own = [record for record in manifest.files if record.map not in {"kit", *MAPS}]
     by_suffix = {Path(record.name).suffix: record for record in own}
     unknown = sorted(set(by_suffix) - {".r16", ".exr", ".vti", ".glb", ".tif", ".png"})
     if unknown or len(by_suffix) != len(own):

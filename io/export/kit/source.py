@@ -1,0 +1,52 @@
+"""One text of the level's GLSL: includes put in, conditions decided by what the level has, its comments kept.
+
+What is left is only what this level's sea needs, which keeps the files of the kit short.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from pathlib import Path
+
+from ....level import BadInput
+
+SHADERS = Path(__file__).parents[3] / "level" / "shaders"
+TOP = "level/waves.glsl"
+# The field that things in the water stir (D18) is the running game's own: a kit has none.
+REPLACED = {"level/force.glsl": "vec3 force_lift(vec2 xy) { return vec3(0.0); }\n"}
+_DIRECTIVE = re.compile(r"^\s*#\s*(\w+)\s*(.*?)\s*(?://.*)?$")
+
+
+def one_text(defines: Iterable[str], top: str = TOP) -> str:
+    """The text of `top` with every file that it includes once; BadInput for a directive that the kit doesn't know."""
+    lines: list[str] = []
+    _put(top, set(defines), set(), lines)
+    return "\n".join(lines) + "\n"
+
+
+def _put(name: str, defines: set[str], seen: set[str], lines: list[str]) -> None:
+    if name in seen:
+        return
+    seen.add(name)
+    text = REPLACED.get(name) or (SHADERS / name.removeprefix("level/")).read_text("utf-8")
+    lines.append(f"\n// ---- {name}\n")
+    kept: list[bool] = []
+    for number, line in enumerate(text.splitlines(), 1):
+        found = _DIRECTIVE.match(line)
+        if not found:
+            if all(kept):
+                lines.append(line)
+            continue
+        word, rest = found.groups()
+        if word in ("ifdef", "ifndef"):
+            kept.append((rest in defines) == (word == "ifdef"))
+        elif word == "else":
+            kept[-1] = not kept[-1]
+        elif word == "endif":
+            kept.pop()
+        elif word == "include":
+            if all(kept):
+                _put(rest.strip('"'), defines, seen, lines)
+        else:
+            raise BadInput(f"{name}:{number}: the runtime kit knows no #{word}")
