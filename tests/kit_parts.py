@@ -7,14 +7,15 @@ import numpy as np
 import pytest
 from coasts import make_beach
 from shorewright.io.export.kit.files import sources
-from shorewright.level.objects import River, SwellRegion, WaveObject
+from shorewright.level.objects import Pin, River, SwellRegion, WaveObject
 from shorewright.level.river_bed import carved
 
 MAIN = """#include <stdio.h>
 #include <stdlib.h>
 #include "sea.h"
 int main(int count, char **words) {
-    FILE *file = fopen(words[count - 1], "rb");
+    bool over = count > 2;
+    FILE *file = fopen(words[1], "rb");
     fseek(file, 0, SEEK_END);
     size_t size = (size_t)ftell(file);
     rewind(file);
@@ -26,7 +27,8 @@ int main(int count, char **words) {
     double ask[3];
     while (fread(ask, sizeof(double), 3, stdin) == 3) {
         sea_at_time(&g, ask[0]);
-        Sea sea = sea_surface(&g, (vec2){(float)ask[1], (float)ask[2]});
+        vec2 at = {(float)ask[1], (float)ask[2]};
+        Sea sea = over ? sea_at(&g, at) : sea_surface(&g, at);
         float told[6] = {sea.position.x, sea.position.y, sea.position.z, sea.normal.x, sea.normal.y, sea.normal.z};
         fwrite(told, sizeof(float), 6, stdout);
     }
@@ -74,8 +76,11 @@ def asked(level, times, count):
     return np.column_stack([np.repeat(times, count), points])
 
 
-def run_c(level, asks, folder):
-    """(n, 6) positions and normals that the C of a level's kit gives for (n, 3) times and points."""
+def run_c(level, asks, folder, *words):
+    """(n, 6) positions and normals that the C of a level's kit gives for (n, 3) times and points.
+
+    With a word, over world points: `sea_at`.
+    """
     compiler = shutil.which("gcc") or shutil.which("cc")
     if compiler is None:
         pytest.skip("no C compiler here")
@@ -88,5 +93,19 @@ def run_c(level, asks, folder):
         [compiler, *strict, "main.c", "-o", "sea", "-lm"], cwd=folder, capture_output=True, text=True
     )
     assert built.returncode == 0, built.stderr[:2000]
-    ran = subprocess.run(["./sea", "sea.f32"], cwd=folder, input=asks.tobytes(), capture_output=True, check=True)
+    ran = subprocess.run(
+        ["./sea", "sea.f32", *words], cwd=folder, input=asks.tobytes(), capture_output=True, check=True
+    )
     return np.frombuffer(ran.stdout, np.float32).reshape(-1, 6)
+
+
+def travelling():
+    """Waves that refract, with plunging, pins and an overridden hectare."""
+    level = make_beach(rows=97, cols=97)
+    level.set("timing.source", "travel_time")
+    level.set("shore.plunge", 1.0)
+    level.put_object("pin", Pin(id="pin", x=50, y=25, time_s=4.0))
+    return level
+
+
+LEVELS["travelling"] = travelling

@@ -1,6 +1,7 @@
 """The runtime kit: the sea for games in C, GLSL, HLSL and Godot's language, made from the one source (T09)."""
 
 import json
+import re
 import shutil
 import subprocess
 
@@ -18,7 +19,7 @@ from shorewright.io.export.kit.write_c import CWriter
 from shorewright.io.export.kit.write_godot import GodotWriter
 from shorewright.io.export.kit.write_hlsl import HlslWriter
 from shorewright.level import BadInput
-from shorewright.level.waves import surface_at, wave_uniforms
+from shorewright.level.waves import sea_at, surface_at, wave_uniforms
 
 TIMES = (0.0, 3.7, 600.5, 604_800.75)
 ALL = ["WAVE_OBJECTS", "WAVE_REGIONS", "PATCHED", "PINS", "RIVERS", "PLUNGE", "TRAVEL_TIME"]
@@ -40,6 +41,18 @@ def test_c_gives_the_twins_sea(name, tmp_path):
     level = LEVELS[name]()
     asks = asked(level, TIMES, 2500)
     holds(level, asks, run_c(level, asks, tmp_path))
+
+
+@pytest.mark.parametrize("name", ["plain", "placed", "river"])
+def test_c_finds_the_sea_over_a_place(name, tmp_path):
+    """T09: sea_at undoes the shift to the side, as a floating body needs it."""
+    level = LEVELS[name]()
+    asks = asked(level, [61.0], 500)
+    told = run_c(level, asks, tmp_path, "over")
+    sea = sea_at(level, 61.0, asks[:, 1], asks[:, 2])
+    off = np.abs(told[:, 2] - sea.height_m)
+    assert np.abs(told[:, :2] - asks[:, 1:]).max() < 5e-4
+    assert off.max() < 1e-3
 
 
 @pytest.mark.parametrize("name", LEVELS)
@@ -80,12 +93,47 @@ def test_glsl_and_hlsl_compile(name, tmp_path):
     validated(hlsl_main(made["hlsl"], data), "frag", tmp_path, "-D", "-V", "-e", "main")
 
 
-def hlsl_main(text, data):
-    order = text.split("Sea sea_surface(")[-1].split(")")[0]
+@pytest.mark.parametrize("name", ["plain", "placed", "travelling"])
+def test_hlsl_gives_the_twins_sea(name, ctx, tmp_path):
+    """T09: HLSL to SPIR-V to GLSL by Khronos's tools, run: positions within a millimetre at 61 s."""
+    level, cross = LEVELS[name](), shutil.which("spirv-cross")
+    if cross is None:
+        pytest.skip("no spirv-cross here")
+    made, data = sources(level, "test", ["hlsl"])
+    validated(hlsl_vertex(made["hlsl"], data), "vert", tmp_path, "-D", "-V", "-e", "main", "-o", "sea.spv")
+    words = [cross, "sea.spv", "--version", "410", "--no-es", "--no-420pack-extension"]
+    back = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=True).stdout
+    back = re.sub(r"\bp\b", "in_at", back.split("\n", 1)[1])
+    asks, textures = asked(level, [61.0], 400), {}
+    for sampler, values in data.maps.items():
+        rows, cols, channels = values.shape
+        textures[f"SPIRV_Cross_CombinedT_{sampler}SPIRV_Cross_DummySampler"] = ctx.texture(
+            (cols, rows), channels, values.tobytes(), dtype="f4"
+        )
+    outs = {"_entryPointOutput_at": 3, "_entryPointOutput_up": 3}
+    holds(level, asks, transform(ctx, back, asks[:, 1:], outs, textures, {}))
+
+
+def textures_of(text, data):
+    """Declarations of the textures that sea_surface takes, and the arguments."""
+    order = text.split("Sea sea_surface(")[1].split(")")[0]
     names = [word.split()[-1] for word in order.split(",")[:-1]]
     assert sorted(names) == sorted(data.maps)
     slots = "".join(f"Texture2D<float4> T_{name} : register(t{n});\n" for n, name in enumerate(names))
-    given = ", ".join(f"T_{name}" for name in names)
+    return slots, ", ".join(f"T_{name}" for name in names)
+
+
+def hlsl_vertex(text, data):
+    slots, given = textures_of(text, data)
+    return (
+        f"{text}\n{slots}struct V {{ float3 at : A; float3 up : B; float4 place : SV_POSITION; }};\n"
+        f"V main(float2 p : AT) {{ sea_at_time(61.0); Sea s = sea_surface({given}, p); V v; v.at = s.position;"
+        " v.up = s.normal; v.place = (float4)0; return v; }\n"
+    )
+
+
+def hlsl_main(text, data):
+    slots, given = textures_of(text, data)
     return (f"{text}\n{slots}float4 main(float4 p : SV_POSITION) : SV_TARGET {{ sea_at_time(p.z);"
             f" Sea s = sea_surface({given}, p.xy); return float4(s.position, s.normal.x); }}\n")  # fmt: skip
 

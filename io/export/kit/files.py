@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 NAME = "kit"
 DOC = "The sea for a game: its functions as source in the engine's language, its numbers (.json) and its maps (.f32)."
 MAP = (NAME, DOC)
-WANTED = ("sea_surface",)
+WANTED = ("sea_at",)
 
 
 @dataclass(frozen=True)
@@ -62,7 +62,7 @@ def head(name: str, language: Language) -> str:
     """The first lines of every file of source."""
     return (
         f"// The sea of {name} in {language.doc}. sea_surface(before): the surface that an undeformed point is\n"
-        "// carried to, metres, x east, y north. Made from the editor's own shader: same names, same order.\n"
+        "// carried to; sea_at(world): that over a place. Metres, x east, y north. Made from the editor's own shader.\n"
     )
 
 

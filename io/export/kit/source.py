@@ -15,6 +15,21 @@ SHADERS = Path(__file__).parents[3] / "level" / "shaders"
 TOP = "level/waves.glsl"
 # The field that things in the water stir (D18) is the running game's own: a kit has none.
 REPLACED = {"level/force.glsl": "vec3 force_lift(vec2 xy) { return vec3(0.0); }\n"}
+# what games ask and pictures never do
+SEA_AT = """
+// The surface over a world point: the waves' shift to the side is undone step by step, to a tenth of a millimetre. Under
+// a breaker's lip there are three surfaces; this is the one that the steps come to.
+Sea sea_at(vec2 world) {
+    Sea sea = sea_surface(world);
+    vec2 before = world, off = world - sea.position.xy;
+    for (int i = 0; i < 12 && dot(off, off) > 1e-8; ++i) {
+        before += off;
+        sea = sea_surface(before);
+        off = world - sea.position.xy;
+    }
+    return sea;
+}
+"""
 _DIRECTIVE = re.compile(r"^\s*#\s*(\w+)\s*(.*?)\s*(?://.*)?$")
 
 
@@ -22,7 +37,7 @@ def one_text(defines: Iterable[str], top: str = TOP) -> str:
     """The text of `top` with every file that it includes once; BadInput for a directive that the kit doesn't know."""
     lines: list[str] = []
     _put(top, set(defines), set(), lines)
-    return "\n".join(lines) + "\n"
+    return "\n".join(lines) + "\n" + (SEA_AT if top == TOP else "")
 
 
 def _put(name: str, defines: set[str], seen: set[str], lines: list[str]) -> None:

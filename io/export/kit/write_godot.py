@@ -10,6 +10,7 @@ WORDS = (
     "global instance varying group_uniforms render_mode shader_type hint filter repeat "
     "lowp mediump highp flat smooth PI TAU E TIME"
 )
+ROOTS = ("sea_surface", "sea_at")  # nothing is handed to them
 
 
 class GodotWriter(Writer):
@@ -21,20 +22,18 @@ class GodotWriter(Writer):
         self.changing = changed(unit)
 
     def carried(self, function: Function) -> list[str]:
-        return [name for name in function.uses if name in self.changing]
+        return [] if function.name in ROOTS else [name for name in function.uses if name in self.changing]
 
     def arguments(self, own: Function, of: Expr) -> list[str]:
         return [*self.carried(own), *super().arguments(own, of)]
 
     def extra(self, item: Function) -> list[str]:
-        if item.name == "sea_surface":
-            return []
         return [f"inout {self.globals[name].type} {name}" for name in self.carried(item)]
 
     def function(self, item: Function) -> list[str]:
         found = super().function(item)
         if item.name == "sea_surface":  # what is handed along begins here
-            found[1:1] = [f"    {self.globals[name].type} {name};" for name in self.carried(item)]
+            found[1:1] = [f"    {self.globals[n].type} {n};" for n in item.uses if n in self.changing]
         return found
 
     def variable(self, one: Variable) -> list[str]:
