@@ -17,7 +17,7 @@ TOP = "level/waves.glsl"
 REPLACED = {"level/force.glsl": "vec3 force_lift(vec2 xy) { return vec3(0.0); }\n"}
 # what games ask and pictures never do
 SEA_AT = """
-// The surface over a world point: the waves' shift to the side is undone step by step, to a tenth of a millimetre. Under
+// The surface over a world point: the waves' shift to the side is undone step by step, to 0.1 mm. Under
 // a breaker's lip there are three surfaces; this is the one that the steps come to.
 Sea sea_at(vec2 world) {
     Sea sea = sea_surface(world);
