@@ -29,8 +29,12 @@ int main(int count, char **words) {
         sea_at_time(&g, ask[0]);
         vec2 at = {(float)ask[1], (float)ask[2]};
         Sea sea = over ? sea_at(&g, at) : sea_surface(&g, at);
-        float told[6] = {sea.position.x, sea.position.y, sea.position.z, sea.normal.x, sea.normal.y, sea.normal.z};
-        fwrite(told, sizeof(float), 6, stdout);
+        vec2 flow = flow_at(&g, at), first, second;
+        float weight;
+        flow_places(&g, at, flow, 0.0f, &first, &second, &weight);
+        float told[13] = {sea.position.x, sea.position.y, sea.position.z, sea.normal.x, sea.normal.y, sea.normal.z,
+                          flow.x, flow.y, first.x, first.y, second.x, second.y, weight};
+        fwrite(told, sizeof(float), 13, stdout);
     }
     free(texels);
     return 0;
@@ -77,7 +81,7 @@ def asked(level, times, count):
 
 
 def run_c(level, asks, folder, *words):
-    """(n, 6) positions and normals that the C of a level's kit gives for (n, 3) times and points.
+    """(n, 13) positions, normals, flow, places of its two copies, weight by a kit's C, at (n, 3) times and points.
 
     With a word, over world points: `sea_at`.
     """
@@ -96,7 +100,7 @@ def run_c(level, asks, folder, *words):
     ran = subprocess.run(
         ["./sea", "sea.f32", *words], cwd=folder, input=asks.tobytes(), capture_output=True, check=True
     )
-    return np.frombuffer(ran.stdout, np.float32).reshape(-1, 6)
+    return np.frombuffer(ran.stdout, np.float32).reshape(-1, 13)
 
 
 def travelling():

@@ -10,6 +10,8 @@ import numpy as np
 from ....level import Level
 from ....level.arrival import arrival
 from ....level.beach_map import beach_map
+from ....level.flow import current
+from ....level.loop import FOAM_CYCLES, turns
 from ....level.river_map import river_map
 from ....level.river_water import wave_times
 from ....level.sea_keys import fronts_at
@@ -28,13 +30,22 @@ PROBES_A_TIME = 25
 
 @dataclass(frozen=True)
 class Phase:
-    """Component `part` of row `row` (-1: the uniform has none) of a uniform is fract(start + rate_hz · t)."""
+    """Component `part` of row `row` (-1: the uniform has none) of a uniform is fract(start + rate_hz · t).
+
+    With `turns` it is the number of whole ones instead, modulo that.
+    """
 
     uniform: str
     row: int
     part: int
     start: float
     rate_hz: float
+    turns: int = 0
+
+    def at(self, t: float) -> float:
+        """Its value at a time."""
+        cycles = self.start + self.rate_hz * t
+        return math.floor(cycles) % self.turns if self.turns else cycles % 1.0
 
 
 @dataclass(frozen=True)
@@ -59,7 +70,7 @@ def level_defines(level: Level) -> list[str]:
 def sea_data(level: Level, unit: Unit) -> SeaData:
     """The numbers for the uniforms that a unit declares."""
     sea = level_at(level, 0.0)
-    at_0 = wave_uniforms(sea, 0.0)
+    at_0 = {**wave_uniforms(sea, 0.0), **_flow_uniforms(sea)}
     wanted = [one.name for one in unit.variables("uniform") if one.type != "sampler2D"]
     values = {name: np.asarray(at_0[name]) for name in wanted}
     clock_hz = 1 / (float(at_0["u_shore_interval_s"]) * int(at_0["u_shore_count"]))
@@ -85,7 +96,19 @@ def _phases(level: Level, at_0: dict) -> list[Phase]:
             row = 3 * n + i
             found.append(Phase("u_wave_way", row, 3, float(at_0["u_wave_way"][row][3]), float(omega) / (2 * math.pi)))
     once = wave_times(level, 1e-3)  # both begin at 0 and need longer than that
-    return [*found, *(Phase("u_river_wave_time", -1, i, 0.0, float(gone) / 1e-3) for i, gone in enumerate(once))]
+    found += [Phase("u_river_wave_time", -1, i, 0.0, float(gone) / 1e-3) for i, gone in enumerate(once)]
+    rate = 1 / level.settings.flow.interval_s
+    return [*found, Phase("u_foam_cycle", -1, 0, 0.0, rate), Phase("u_foam_cycle", -1, 1, 0.0, rate, FOAM_CYCLES)]
+
+
+def _flow_uniforms(level: Level) -> dict:
+    flow, loop_s = level.settings.flow, level.settings.time.loop_s
+    return {
+        "u_foam_tile_m": level.settings.water.foam_tile_m,
+        "u_foam_cycle": (0.0, 0.0, flow.interval_s if flow.on else 0.0),
+        "u_foam_turns": float(turns(flow.interval_s, loop_s)),
+        "u_current_cell_m": current(level).cell_m,
+    }
 
 
 def uniforms_at(data: SeaData, t: float) -> dict[str, np.ndarray]:
@@ -94,7 +117,7 @@ def uniforms_at(data: SeaData, t: float) -> dict[str, np.ndarray]:
     values = {name: np.array(value) for name, value in data.values.items()}
     for phase in data.phases:
         at = (phase.part,) if phase.row < 0 else (phase.row, phase.part)
-        values[phase.uniform][at] = (phase.start + phase.rate_hz * t) % 1.0
+        values[phase.uniform][at] = phase.at(t)
     waves = t * data.clock_hz
     values["u_shore_clock"] = np.asarray(waves - math.floor(waves))
     values["u_shore_cycle"] = np.asarray(math.floor(waves) % CYCLES)
@@ -107,7 +130,7 @@ def _held(level: Level, data: SeaData) -> list[str]:
     times = [0.3 * level.settings.tide.period_s, 3600.25, *(key.time_s + key.fade_s + 1.0 for key in whole_keys(level))]
     for t in times:
         ours, its = uniforms_at(data, t), wave_uniforms(level, t)
-        found |= {name for name in ours if np.abs(_apart(ours[name], its[name])).max() > 1e-4}
+        found |= {name for name in ours if name in its and np.abs(_apart(ours[name], its[name])).max() > 1e-4}
     return sorted(found)
 
 
@@ -123,6 +146,7 @@ def sea_maps(level: Level) -> dict[str, np.ndarray]:
         "u_bed": bed if rivers is None else np.concatenate([bed, rivers.packed]),
         "u_tables": tables(level),
         "u_beach": beach_map(level).packed,
+        "u_current": current(level).packed,
     }
     if made is not None:
         found["u_arrival"] = made.texture

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 NAME = "kit"
 DOC = "The sea for a game: its functions as source in the engine's language, its numbers (.json) and its maps (.f32)."
 MAP = (NAME, DOC)
-WANTED = ("sea_at",)
+WANTED = ("sea_at", "flow_at", "flow_places")
 
 
 @dataclass(frozen=True)
@@ -108,7 +108,8 @@ def numbers(data: SeaData) -> dict:
         at += values.size
     return {
         "uniforms": {name: np.asarray(value).tolist() for name, value in data.values.items()},
-        "phase_formula": "uniform[row][part] = fract(start + rate_hz * t) in double; row -1: the uniform is no array",
+        "phase_formula": "uniform[row][part] = fract(start + rate_hz * t) in double; row -1: the uniform is no array; "
+        "with turns > 0 it is floor(start + rate_hz * t) mod turns",
         "phases": [vars(phase) for phase in data.phases],
         "clock_formula": "waves = t * clock_hz; u_shore_clock = fract(waves); u_shore_cycle = floor(waves) mod 4096",
         "clock_hz": data.clock_hz,

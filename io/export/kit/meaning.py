@@ -6,7 +6,7 @@ from ....level import BadInput
 from .lex import Word
 from .tree import Function, Struct, Variable, base, vector, width
 
-BY_PART = {"floor", "fract", "abs", "sin", "cos", "exp", "sqrt", "min", "max", "clamp", "mix", "smoothstep", "pow"}
+BY_PART = {"floor", "fract", "abs", "sin", "cos", "exp", "sqrt", "min", "max", "clamp", "mix", "mod", "smoothstep"}
 COMPARE = {"lessThan": "<", "lessThanEqual": "<=", "greaterThan": ">", "greaterThanEqual": ">=", "equal": "=="}
 PARTS = {"r": "x", "g": "y", "b": "z", "a": "w"}
 

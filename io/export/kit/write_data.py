@@ -12,6 +12,19 @@ if TYPE_CHECKING:
     from .data import SeaData
 
 CYCLES = 4096  # of the shore clock, after which the same waves come
+C_TIME = """
+static inline float sea_phase(double start, double rate, double t) {
+    double cycles = start + rate * t;
+    return (float)(cycles - floor(cycles));
+}
+
+static inline float sea_turns(double start, double rate, double t, double turns) {
+    double whole = floor(start + rate * t);
+    return (float)(whole - floor(whole / turns) * turns);
+}
+
+// The sea at a time in seconds since its beginning; wrapped in double, so that it holds for weeks.
+static inline void sea_at_time(sea_state *g, double t) {"""
 
 
 def number(value, kind: str, suffix: str) -> str:
@@ -36,12 +49,7 @@ def rows_of(one: Variable, data: SeaData) -> list[list]:
 
 def c_data(unit: Unit, data: SeaData) -> str:
     """`sea_set_up` and `sea_at_time` in C; a map's texels are given by the caller, one after another as in the .f32."""
-    lines = [
-        "", "static inline float sea_phase(double start, double rate, double t) {",
-        "    double cycles = start + rate * t;", "    return (float)(cycles - floor(cycles));", "}", "",
-        "// The sea at a time in seconds since its beginning; wrapped in double, so that it holds for weeks.",
-        "static inline void sea_at_time(sea_state *g, double t) {",
-    ]  # fmt: skip
+    lines = [C_TIME]
     if data.loop_s > 0:
         lines.append(f"    t -= floor(t / {data.loop_s!r}) * {data.loop_s!r};")
     lines.append(f"    double waves = t * {data.clock_hz!r};")
@@ -49,9 +57,9 @@ def c_data(unit: Unit, data: SeaData) -> str:
     lines.append(f"    g->u_shore_cycle = (int)(floor(waves) - floor(waves / {CYCLES}.0) * {CYCLES}.0);")
     for phase in data.phases:
         row = f"[{phase.row}]" if phase.row >= 0 else ""
-        lines.append(
-            f"    g->{phase.uniform}{row}.{'xyzw'[phase.part]} = sea_phase({phase.start!r}, {phase.rate_hz!r}, t);"
-        )
+        asked = f"{phase.start!r}, {phase.rate_hz!r}, t"
+        text = f"sea_turns({asked}, {phase.turns}.0)" if phase.turns else f"sea_phase({asked})"
+        lines.append(f"    g->{phase.uniform}{row}.{'xyzw'[phase.part]} = {text};")
     lines += ["}", "", "// `texels`: the whole of the .f32 file beside this one; it must live as long as the state.",
               "static inline void sea_set_up(sea_state *g, const float *texels) {"]  # fmt: skip
     at = 0
@@ -121,5 +129,7 @@ def hlsl_time(data: SeaData) -> str:
     for phase in data.phases:
         row = f"[{phase.row}]" if phase.row >= 0 else ""
         rate, start = (number(value, "float", "") for value in (phase.rate_hz, phase.start))
-        lines.append(f"    {phase.uniform}{row}.{'xyzw'[phase.part]} = frac({start} + {rate} * t);")
+        text = f"frac({start} + {rate} * t)"
+        text = f"fmod(floor({start} + {rate} * t), {phase.turns}.0)" if phase.turns else text
+        lines.append(f"    {phase.uniform}{row}.{'xyzw'[phase.part]} = {text};")
     return "\n".join([*lines, "}"]) + "\n"

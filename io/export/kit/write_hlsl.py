@@ -31,6 +31,9 @@ class HlslWriter(Writer):
             return f"{given[0]}_size", TIGHT + 2
         if of.text in COMPARE:
             return f"({given[0]} {COMPARE[of.text]} {given[1]})", TIGHT + 2
+        if of.text == "mod":  # fmod turns round below 0
+            a, b = (self.expr(part, TIGHT) for part in of.parts)
+            return f"({a} - {b} * floor({a} / {b}))", TIGHT + 2
         if of.text == "findLSB":
             return f"(int)firstbitlow({given[0]})", TIGHT
         return f"{RENAMED.get(of.text, of.text)}({', '.join(given)})", TIGHT + 2
