@@ -13,6 +13,7 @@ import numpy as np
 
 from .earth import GRAVITY
 
+FOAM_CYCLES = 600  # after so many the jumps of moving foam have come round: 6 / 25 and 5 / 24 of a tile
 CAP_LIFE_S = 7.0  # of a whitecap
 # baked ripples: tile in metres, turn from the wind in degrees, share of the slope's variance
 RIPPLES = ((17.0, -24.0, 0.40), (6.1, 31.0, 0.33), (2.3, -7.0, 0.27))

@@ -9,7 +9,7 @@ import numpy as np
 from ..level import Settings
 from ..level.earth import GRAVITY
 from ..level.gerstner import groups
-from ..level.loop import CAP_LIFE_S, RIPPLES, looped, moment, ripple_period_s, turns
+from ..level.loop import CAP_LIFE_S, FOAM_CYCLES, RIPPLES, looped, moment, ripple_period_s, turns
 from ..level.settings import Sea
 from ..level.sun import light_angles
 from ..level.water_optics import absorption, backscatter, river_added
@@ -17,7 +17,6 @@ from .day_light import exposure_ev, white_k
 from .sky_light import SkyLight, sky_light
 
 DISPLAYS = ("agx", "aces", "neutral", "raw")
-FOAM_CYCLES = 600  # after so many the jumps of moving foam have come round: 6 / 25 and 5 / 24 of a tile
 LIGHT_MPS = 3.7  # up to this wind nothing on the open sea is white
 CALM_M, ROUGH_M = 0.1, 0.4  # waves from which on crests bear foam, and bear it whole
 STAR_LIGHT = 0.0015  # kcd/m² of the brightest stars, spread over 1.4 minutes of arc

@@ -8,6 +8,7 @@ from exports import MANIFEST, one, sign, slope_level
 from shorewright.io import check, export
 from shorewright.io.export.codes import CODES, decoded, encoded
 from shorewright.io.export.map_rows import MAPS
+from shorewright.io.export.mesh_rows import MESHES
 from shorewright.io.images import read_image
 from shorewright.level import LAYERS
 
@@ -99,3 +100,7 @@ def test_codes_keep_their_ends_and_zero(code, bits):
     found = decoded(encoded(values, code, low, high, bits), code, low, high, bits)
     assert found == pytest.approx(values, abs=1e-12)
     assert CODES[code].step(low, high, 2**bits - 1) > 0
+
+
+def test_maps_and_meshes_have_names_of_their_own():
+    assert not set(MAPS) & set(MESHES)

@@ -146,7 +146,7 @@ def test_tiles_share_edges_and_coarser_ones_hide_behind_skirts():
 
 def test_a_walker_fits_everywhere_on_the_mesh(made):
     level, folder, files = made
-    (part,) = read_parts(folder / files["walkable"].name)
+    (part,) = read_parts(folder / files["walkable_mesh"].name)
     x, _, z = part.values["POSITION"].T
     free = walkable(level)
     assert free[np.rint(-z).astype(int), np.rint(x).astype(int)].all()
@@ -199,7 +199,7 @@ def _spoil_tangents(data, part):
 )
 def test_check_names_what_is_spoilt(copy, spoil, word):
     """T09: with sizes and hashes put right again, only decoding can find it."""
-    path = copy / "bay_walkable.glb"
+    path = copy / "bay_walkable_mesh.glb"
     data, (part,) = bytearray(path.read_bytes()), read_parts(path)
     spoil(data, part)
     path.write_bytes(data)

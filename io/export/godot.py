@@ -10,14 +10,14 @@ from __future__ import annotations
 import numpy as np
 
 from ...level import BadInput
-from . import flow, map_rows, maps
+from . import common, flow, maps
 from .earlier import Piece
 from .engine_records import GodotTerrain, Options
 from .heights import Words, part_notes, probes, write_floats, write_heights
 from .job import Job
 from .layout import Layout, lay_out, plain_layout
 from .manifest import describe, describe_file
-from .map_files import MapStyle, map_line, write_maps
+from .map_files import MapStyle
 from .records import Channel, Decode, FileRecord, Manifest
 
 STYLE = MapStyle(deep_png=False, south_positive=True)
@@ -29,9 +29,9 @@ EXR_FORMULA = "height_m = value"
 TERRAIN3D_MAPS = (
     ("height", "The ground over the sea in metres, float (.exr) and 16 bits (.r16), sample for sample."),
     flow.MAP,
-    *map_rows.told(),
+    *common.told(),
 )
-HTERRAIN_MAPS = (("height", "The ground, 16 bits, at a size HTerrain takes."), flow.MAP, *map_rows.told())
+HTERRAIN_MAPS = (("height", "The ground, 16 bits, at a size HTerrain takes."), flow.MAP, *common.told())
 
 
 def decode_m(values: np.ndarray, low_m: float, high_m: float) -> np.ndarray:
@@ -114,7 +114,7 @@ def hterrain(job: Job) -> Manifest:
 def _manifest(job: Job, layout: Layout, terrain: GodotTerrain, ground, target: str, recipe: list[str]) -> Manifest:
     heights = job.piece("height", ground, ("height",))
     current = job.piece("flow", lambda: flow.write_flow(job, flow.GODOT_FORMULA))
-    pictures = write_maps(job, STYLE)
+    pictures = common.write_common(job, STYLE, ("godot", "c"))
     return Manifest(
         target=target,
         options=job.options,
@@ -127,7 +127,7 @@ def _manifest(job: Job, layout: Layout, terrain: GodotTerrain, ground, target: s
         import_recipe=[
             *(recipe if heights.files else []),
             *(line for file in current.files for line in flow.recipe(file)),
-            *(map_line(file) for file in pictures.files),
+            *common.lines(pictures.files),
         ],
         notes=part_notes(layout, heights.files) + _notes(terrain),
         **describe(

@@ -132,7 +132,7 @@ MESHES: dict[str, MeshRow] = {
             _tiles,
         ),
         MeshRow(
-            "walkable",
+            "walkable_mesh",
             "Where a walker can be: no steeper and no deeper under the still sea than the level's limits.",
             "u east, v from the north edge to the south edge of the level, 0 to 1",
             ("depth of water / deepest that is waded", "1 - normal's part upwards", "0", "1"),

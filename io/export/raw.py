@@ -10,14 +10,13 @@ from pathlib import Path
 
 import numpy as np
 
-from . import flow, map_rows, maps, mesh_rows, meshes
+from . import common, flow, maps, meshes
 from .earlier import Piece
 from .heights import probes, write_floats
 from .job import Job
 from .layout import plain_layout
 from .manifest import describe, describe_file
-from .map_files import MapStyle, map_line, write_maps
-from .mesh_files import mesh_line, write_meshes
+from .map_files import MapStyle
 from .records import Channel, Decode, FileRecord, Manifest, Mesh
 
 MAPS = (
@@ -26,8 +25,7 @@ MAPS = (
     ("layers", "The ground and every other written layer as a VTK image (.vti), for analysis."),
     ("weather", "The painted sky with its weights, six channels of float in a TIFF; only where something is painted."),
     flow.MAP,
-    *map_rows.told(),
-    *mesh_rows.told(),
+    *common.told(),
 )
 DOCS = dict(MAPS)
 R16_FORMULA = "height_m = v / 65535 * (max_m - min_m) + min_m"
@@ -45,8 +43,7 @@ def export(job: Job) -> Manifest:
         job.piece("layers", lambda: Piece([_vti(job)])),
         job.piece("weather", lambda: _weather(job), ("weather",)),
         job.piece("flow", lambda: flow.write_flow(job, flow.FORMULA)),
-        write_maps(job, MapStyle()),
-        write_meshes(job),
+        common.write_common(job, MapStyle(), common.kit.LANGUAGES),
     ]
     files = [record for piece in pieces for record in piece.files]
     return Manifest(
@@ -214,11 +211,10 @@ def _recipe(job: Job, files: list[FileRecord]) -> list[str]:
         ".vti": f"{grid.cols} x {grid.rows} points, south row first, for ParaView or pyvista.read",
         ".tif": _sky_line(job),
     }
-    own = [file for file in files if file.map not in {"flow", *map_rows.MAPS, *mesh_rows.MESHES}]
+    own = [file for file in files if file.map not in {"flow", *common.NAMES}]
     told = [f"{file.name}: {lines[Path(file.name).suffix]}" for file in own]
     told += [line for file in files if file.map == "flow" for line in flow.recipe(file)]
-    told += [map_line(file) for file in files if file.map in map_rows.MAPS]
-    told += [mesh_line(file) for file in files if file.map in mesh_rows.MESHES]
+    told += common.lines(files)
     return [*told, f"One sample every {grid.cell_m:g} m; the sea lies at height {job.level.sea_level_m:g} m."]
 
 

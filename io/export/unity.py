@@ -12,7 +12,7 @@ import math
 import numpy as np
 
 from ...level import Level
-from . import flow, map_rows
+from . import common, flow
 from .earlier import Piece
 from .engine_records import Options, UnityTerrain
 from .heights import Words, part_notes, probes, write_heights
@@ -56,7 +56,7 @@ OWN: dict[str, MapRow] = {
 MAPS = (
     ("height", "The ground, 16 bits, at a size Unity's terrain takes; tiles where it is larger than 4097."),
     flow.MAP,
-    *map_rows.told(),
+    *common.told(),
     *((row.name, row.doc) for row in OWN.values()),
 )
 
@@ -120,7 +120,7 @@ def export(job: Job) -> Manifest:
 
     heights = job.piece("height", ground, ("height",))
     current = job.piece("flow", lambda: flow.write_flow(job, flow.UNITY_FORMULA))
-    pictures, own = write_maps(job, STYLE), write_maps(job, STYLE, OWN)
+    pictures, own = common.write_common(job, STYLE, ("hlsl", "c")), write_maps(job, STYLE, OWN)
     files = heights.files + current.files + pictures.files + own.files
     return Manifest(
         target="unity",
@@ -135,7 +135,8 @@ def export(job: Job) -> Manifest:
         import_recipe=[
             *(_recipe([file.name for file in heights.files], terrain, layout) if heights.files else []),
             *(line for file in current.files for line in flow.recipe(file)),
-            *(map_line(file) for file in pictures.files + own.files),
+            *common.lines(pictures.files),
+            *(map_line(file) for file in own.files),
             *(_crest_line(file) for file in own.files),
         ],
         notes=part_notes(layout, heights.files) + _notes(terrain, files),

@@ -13,17 +13,17 @@ from typing import NamedTuple
 import numpy as np
 
 from ...level import BadInput
-from . import flow, map_rows
+from . import common, flow
 from .earlier import Piece
 from .engine_records import LevelPart, Options, UnrealScale
 from .heights import Words, part_notes, probes, write_heights
 from .job import Job
 from .layout import Layout, Tile, lay_out
 from .manifest import describe
-from .map_files import MapStyle, map_line, write_maps
+from .map_files import MapStyle
 from .records import Manifest, Tiles
 
-MAPS = (("height", "The ground, 16 bits, at the size Unreal recommends."), flow.MAP, *map_rows.told())
+MAPS = (("height", "The ground, 16 bits, at the size Unreal recommends."), flow.MAP, *common.told())
 STYLE = MapStyle(south_positive=True, green_down=True)
 MID = 32768  # the value of z = 0, which is the sea
 HIGHEST = 256 - 1 / 128  # metres above, and 256 below, at ScaleZ 100
@@ -106,10 +106,10 @@ def export(job: Job) -> Manifest:
 
     heights = job.piece("height", ground, ("height",))
     current = job.piece("flow", lambda: flow.write_flow(job, flow.UNREAL_FORMULA))
-    pictures = write_maps(job, STYLE)
+    pictures = common.write_common(job, STYLE, ("hlsl", "c"))
     recipe = _recipe([file.name for file in heights.files], scale, layout) if heights.files else []
     recipe += [line for file in current.files for line in flow.recipe(file)]
-    recipe += [map_line(file) for file in pictures.files]
+    recipe += common.lines(pictures.files)
     return Manifest(
         target="unreal",
         options=job.options,

@@ -7,13 +7,13 @@ from pathlib import Path
 
 from ...level import BadInput
 from . import flow
+from .common import check_common
 from .engine_records import GodotTerrain
 from .godot import EXR_FORMULA, hterrain_layout, terrain3d_layout, terrain_of, words_of
 from .layout import Layout
 from .records import FileRecord, Manifest
 from .verify_flow import check_flow
 from .verify_ground import SLACK_CM, check_heights, check_probes, check_range, own_records, said_otherwise
-from .verify_map_files import check_maps
 
 PLUGINS = {"godot": ("terrain3d", ".r16"), "godot-hterrain": ("hterrain", ".raw")}
 
@@ -46,7 +46,7 @@ def check_godot(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
             findings += _floats(manifest, record, whole, layout)
     for record in own.get("flow", []):
         findings += check_flow(manifest, record, whole, flow.GODOT_FORMULA)
-    return findings + check_maps(manifest, whole)
+    return findings + check_common(manifest, whole)
 
 
 def _floats(manifest: Manifest, record: FileRecord, whole: dict[str, Path], layout: Layout) -> Iterator[str]:

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from . import maps
+from .common import NAMES
 from .heights import Words
 from .layout import Layout, Tile
-from .map_rows import MAPS
 from .records import FileRecord, Manifest, Probe, Tiles
 
 SLACK_CM = 1e-5  # float64 arithmetic on metres, not quantisation
@@ -21,10 +21,10 @@ def near(value: float, wanted: float) -> bool:
 
 
 def own_records(manifest: Manifest, more: Collection[str] = ()) -> dict[str, list[FileRecord]]:
-    """The records that are no pictures of MAPS or `more`, by what they show."""
+    """The records that are neither of common.py nor `more`, by what they show."""
     found: dict[str, list[FileRecord]] = {}
     for record in manifest.files:
-        if record.map not in MAPS and record.map not in more:
+        if record.map not in NAMES and record.map not in more:
             found.setdefault(record.map, []).append(record)
     return found
 

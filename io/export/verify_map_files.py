@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from pathlib import Path
-from types import MappingProxyType
 
 import numpy as np
 
@@ -18,11 +17,8 @@ SLACK = 1e-6
 BITS = {"uint8": 8, "uint16": 16, "float32": 32}
 
 
-def check_maps(
-    manifest: Manifest, whole: dict[str, Path], more: Mapping[str, MapRow] = MappingProxyType({})
-) -> list[str]:
-    """Findings about all files of a manifest that are maps of MAPS, or of a target's own `more`."""
-    rows = {**MAPS, **more}
+def check_maps(manifest: Manifest, whole: dict[str, Path], rows: Mapping[str, MapRow] = MAPS) -> list[str]:
+    """Findings about all files of a manifest that are maps of MAPS, or of a target's own table."""
     return [
         found
         for record in manifest.files

@@ -10,21 +10,18 @@ import numpy as np
 from ...level import LAYERS, BadInput
 from ...level.layers import WEATHER_GRID
 from . import flow, maps, meshes
-from .map_rows import MAPS
-from .mesh_rows import MESHES
+from .common import NAMES, check_common
 from .raw import R16_FORMULA, decode_r16
 from .records import FileRecord, Manifest
 from .verify_flow import check_flow
 from .verify_ground import SLACK_CM, check_probes, check_range, check_step
-from .verify_map_files import check_maps
-from .verify_mesh_files import check_meshes
 
 
 def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     """Findings about raw files: each against the probes, the 16 bits and the mesh against the float map."""
     findings: list[str] = []
     ground: np.ndarray | None = None  # north first, metres, exact
-    own = [record for record in manifest.files if record.map not in MAPS and record.map not in MESHES]
+    own = [record for record in manifest.files if record.map not in NAMES]
     by_suffix = {Path(record.name).suffix: record for record in own}
     unknown = sorted(set(by_suffix) - {".r16", ".exr", ".vti", ".glb", ".tif", ".png"})
     if unknown or len(by_suffix) != len(own):
@@ -42,7 +39,7 @@ def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
         findings += _sky(by_suffix[".tif"], whole)
     if ".png" in by_suffix:
         findings += check_flow(manifest, by_suffix[".png"], whole, flow.FORMULA)
-    return findings + check_maps(manifest, whole) + check_meshes(manifest, whole)
+    return findings + check_common(manifest, whole)
 
 
 def _sky(record: FileRecord, whole: dict[str, Path]) -> Iterator[str]:

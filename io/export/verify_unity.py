@@ -6,6 +6,7 @@ from pathlib import Path
 
 from ...level import BadInput
 from . import flow
+from .common import check_common
 from .engine_records import UnityTerrain
 from .records import Manifest
 from .unity import OWN, layout_of, terrain_of, tile_name, words_of
@@ -32,4 +33,4 @@ def check_unity(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
         )
     for record in own.get("flow", []):
         findings += check_flow(manifest, record, whole, flow.UNITY_FORMULA)
-    return findings + check_maps(manifest, whole, OWN)
+    return findings + check_maps(manifest, whole, OWN) + check_common(manifest, whole)

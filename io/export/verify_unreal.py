@@ -7,12 +7,12 @@ from pathlib import Path
 
 from ...level import BadInput
 from . import flow
+from .common import check_common
 from .engine_records import UnrealScale
 from .records import Manifest
 from .unreal import MID, layout_of, scale_of, tile_name, words_of
 from .verify_flow import check_flow
 from .verify_ground import check_heights, near, own_records
-from .verify_map_files import check_maps
 
 
 def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
@@ -33,7 +33,7 @@ def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
         )
     for record in own.get("flow", []):
         findings += check_flow(manifest, record, whole, flow.UNREAL_FORMULA)
-    return findings + check_maps(manifest, whole)
+    return findings + check_common(manifest, whole)
 
 
 def _scale(manifest: Manifest, scale: UnrealScale, layout) -> Iterator[str]:

@@ -1,15 +1,13 @@
 // Foam (D04, H18): how much there is picks from thin lace to dense cover in one texture, without pops.
+#include "level/flow_places.glsl"
 #include "lib/noise.glsl"
 #include "lib/wind.glsl"
 #include "lib/foam_beach.glsl"
 
 uniform sampler2D u_foam;        // R lace, G middle, B dense, each equalised; A bubbles
-uniform float u_foam_tile_m;
 uniform float u_foam_amount;
 uniform float u_whitecaps;       // share of the open sea that is white in this wind
 uniform vec4 u_cap_place, u_cap_age;  // of two generations: offset in tiles each; age −½ … ½ each, share of the caps each
-uniform vec3 u_foam_cycle;       // part of a cycle of moving foam, number of whole ones, seconds a cycle; 0 s: it stands
-uniform float u_foam_turns;      // after so many cycles the same ones come again; 0: never
 uniform float u_flow_noise, u_flow_noise_m;
 
 const float FOAM_TEXELS = 512.0;
@@ -23,28 +21,14 @@ float foam_cover(vec4 fields, float amount, float lod) {
     return mix(cover, amount, smoothstep(3.0, 6.5, lod)) * smoothstep(0.0, 0.10, amount);
 }
 
-const float STILL_MPS = 1e-3;  // slower water stands still, and so does what lies on it
-// a copy that starts again starts elsewhere, never the same way twice in a row, or the eye finds the rhythm
-const vec2 JUMP = vec2(0.24, 0.2083333), OTHER = vec2(0.37, 0.61);
-
-// Foam moved by the flow in two copies half a cycle apart (D05; Vlachos, SIGGRAPH 2010): where each is read, in tiles, and
-// the weight of the second, which is whole when the first starts again. Places start at different times.
+// Foam moved by the flow: places start at different times (level/flow_places.glsl).
 void foam_places(vec2 xy, vec2 flow, out vec2 first, out vec2 second, out float weight) {
-    first = xy / u_foam_tile_m;
-    second = first + OTHER;
-    weight = 0.0;
 #ifdef NO_FLOW
-    return;
+    flow_places(xy, vec2(0.0), 0.0, first, second, weight);
+#else
+    float early = flow_moves(flow) ? textureLod(u_noise, xy / (8.0 * u_flow_noise_m), 3.0).g * u_flow_noise : 0.0;
+    flow_places(xy, flow, early, first, second, weight);
 #endif
-    if (u_foam_cycle.z <= 0.0 || dot(flow, flow) < STILL_MPS * STILL_MPS) return;
-    float early = textureLod(u_noise, xy / (8.0 * u_flow_noise_m), 3.0).g * u_flow_noise;
-    float a = u_foam_cycle.x + early, b = a + 0.5;
-    vec2 number = floor(vec2(a, b)) + u_foam_cycle.y;
-    if (u_foam_turns > 0.0) number = mod(number, u_foam_turns);
-    vec2 way = flow * (u_foam_cycle.z / u_foam_tile_m);
-    first += JUMP * number.x - way * (fract(a) - 0.5);
-    second += JUMP.yx * number.y - way * (fract(b) - 0.5);
-    weight = abs(2.0 * fract(a) - 1.0);
 }
 
 // Two copies of the texture with the contrast that averaging patterns would lose, about 0; `lee` of the first.

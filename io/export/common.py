@@ -1,0 +1,44 @@
+"""What every target writes beside its ground and current: maps, meshes, the runtime kit."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from . import map_rows, mesh_rows
+from .earlier import Piece
+from .job import Job
+from .kit import files as kit
+from .kit.verify import check_kit
+from .map_files import MapStyle, map_line, write_maps
+from .mesh_files import mesh_line, write_meshes
+from .records import FileRecord, Manifest
+from .verify_map_files import check_maps
+from .verify_mesh_files import check_meshes
+
+NAMES = frozenset([*map_rows.MAPS, *mesh_rows.MESHES, kit.NAME])
+
+
+def told() -> tuple[tuple[str, str], ...]:
+    """(name, sentence) of each, for a target's list of what it writes."""
+    return (*map_rows.told(), *mesh_rows.told(), kit.MAP)
+
+
+def write_common(job: Job, style: MapStyle, languages: Iterable[str]) -> Piece:
+    """All of it that was chosen, the kit in `languages`."""
+    made = write_maps(job, style)
+    code = job.piece(kit.NAME, lambda: Piece(kit.write_kit(job, languages)))
+    made.files = [*made.files, *write_meshes(job).files, *code.files]
+    return made
+
+
+def lines(files: Iterable[FileRecord]) -> list[str]:
+    """How each of such files is read; of others nothing."""
+    tellers = dict.fromkeys(map_rows.MAPS, map_line)
+    tellers |= dict.fromkeys(mesh_rows.MESHES, mesh_line) | {kit.NAME: kit.kit_line}
+    return [tellers[file.map](file) for file in files if file.map in tellers]
+
+
+def check_common(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
+    """Findings about all of it."""
+    return [*check_maps(manifest, whole), *check_meshes(manifest, whole), *check_kit(manifest, whole)]
