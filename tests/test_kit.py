@@ -243,6 +243,7 @@ def test_godot_hands_globals_along_and_names_no_two_functions_alike():
     assert len(names) == len(set(names)) > 40
     assert "\nvec3 objects_depth" not in text
     assert "inout vec3 objects_depth" in text
+    assert "uniform vec4 u_region_way[32];" in text
 
 
 @pytest.mark.parametrize(("text", "word"), [

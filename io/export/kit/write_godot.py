@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
+from ....level import BadInput
 from .reach import changed
 from .tree import Expr, Function, Unit, Variable
 from .write import Writer
@@ -20,6 +23,23 @@ class GodotWriter(Writer):
     def __init__(self, unit: Unit) -> None:
         super().__init__(unit)
         self.changing = changed(unit)
+
+    def declared(self, one: Variable) -> str:
+        """Sizes of arrays as numbers: a product of constants is none to every version."""
+        if one.size:
+            one = replace(one, size=Expr("num", "int", str(self.count(one.size))))
+        return super().declared(one)
+
+    def count(self, of: Expr) -> int:
+        """A size, worked out."""
+        if of.kind == "name":
+            value = self.globals[of.text].value
+            return self.count(value) if value else 0
+        if of.kind == "binary" and of.text == "*":
+            return self.count(of.parts[0]) * self.count(of.parts[1])
+        if of.kind != "num":
+            raise BadInput(f"the runtime kit's Godot writer takes no {of.kind} for the size of an array")
+        return int(of.text)
 
     def carried(self, function: Function) -> list[str]:
         return [] if function.name in ROOTS else [name for name in function.uses if name in self.changing]
