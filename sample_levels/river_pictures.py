@@ -28,7 +28,10 @@ RIVERS = (
         Shot(f"rivers/{name}", level, CREEK, size=LAYER)
         for name, level in (("ground", "cove"), ("placed", "cove+creek"), ("carved", "cove+creek_carved"))
     ),
-    *(Shot(f"rivers/cut-{n}", "delta+wade", OXBOW, time_s, size=LAYER) for n, time_s in enumerate(STRIP_S, 1)),
+    *(
+        Shot(f"rivers/cut-{n}", "delta+wade", OXBOW, time_s, size=LAYER, settings={"time.warm_up_s": 60.0})
+        for n, time_s in enumerate(STRIP_S, 1)
+    ),
 )
 # Points that no river can run through: east, north, width, level, speed
 WRONG = {
