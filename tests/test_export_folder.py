@@ -24,6 +24,20 @@ def test_export_replaces_its_own_and_only_its_own(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["out"]
 
 
+def test_what_an_engine_lays_beside_our_files_stays(tmp_path):
+    """T09: an export inside an opened project is exported again: sidecars and caches are no strangers, and survive."""
+    out = tmp_path / "out"
+    export(rough_level(20), "godot", out, "height", name="bay")
+    (out / ".godot").mkdir()
+    theirs = {"bay_height.exr.import": b"uid", "bay_height.exr.meta": b"guid", "gone.gd.uid": b"uid"}
+    for name, data in theirs.items():
+        (out / name).write_bytes(data)
+    export(rough_level(20, seed=2), "godot", out, "height", name="bay")
+    assert {name: (out / name).read_bytes() for name in theirs} == theirs
+    assert (out / ".godot").is_dir()
+    assert check(out) == []
+
+
 def test_foreign_things_are_never_touched(tmp_path):
     out = tmp_path / "out"
     out.mkdir()

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from ...level import BadInput, Level
-from . import godot, raw, unity, unreal
+from . import godot, godot_project, raw, unity, unreal
 from .earlier import earlier_export
 from .folder import staged
 from .job import Cancelled, Exporter, Job, Told, file_stem
@@ -59,6 +59,13 @@ EXPORTERS: dict[str, Exporter] = {
             godot.HTERRAIN_MAPS,
             godot.hterrain,
             godot.SIDES,
+        ),
+        Exporter(
+            "godot-project",
+            "Godot, a project to open",
+            "A small Godot 4 project that draws the level, ground and sea, and needs no plug-in: open it and press F5.",
+            godot_project.MAPS,
+            godot_project.export,
         ),
         Exporter(
             "raw",

@@ -28,7 +28,7 @@ def write_common(job: Job, style: MapStyle, languages: Iterable[str]) -> Piece:
     """All of it that was chosen, the kit in `languages`."""
     made = write_maps(job, style)
     code = job.piece(kit.NAME, lambda: Piece(kit.write_kit(job, languages)))
-    made.files = [*made.files, *write_meshes(job).files, *code.files]
+    made.files = [*made.files, *write_meshes(job, style.meshes).files, *code.files]
     return made
 
 

@@ -83,11 +83,12 @@ class UnityTerrain(Record):
 class GodotTerrain(Record):
     """What a terrain plug-in of Godot is given; heights are over the sea, which lies at Y 0.
 
-    `region_size` is Terrain3D's. `spacing_m` is its vertex_spacing, or the X and Z of HTerrain's map_scale.
+    `project` is our own, without one. `region_size` is Terrain3D's. `spacing_m` is its vertex_spacing, or the X and Z
+    of HTerrain's map_scale.
     """
 
     engine: Literal["godot"] = "godot"
-    plugin: Literal["terrain3d", "hterrain"]
+    plugin: Literal["terrain3d", "hterrain", "project"]
     cols: int
     rows: int
     spacing_m: float

@@ -17,7 +17,9 @@ from pathlib import Path
 from ...level import BadInput
 from .manifest import inside, load
 
-JUNK = frozenset({".DS_Store", "Thumbs.db", "desktop.ini"})  # file browsers leave these everywhere
+JUNK = frozenset({".DS_Store", "Thumbs.db", "desktop.ini", ".godot"})  # file browsers and Godot leave these
+# what Godot and Unity lay beside each file of a project: theirs, it stays
+BESIDE = (".import", ".uid", ".meta")
 PART = ".shorewright-part-"
 LOCK = ".lock"
 
@@ -85,6 +87,7 @@ def owned(out: Path, manifest_name: str, target: str) -> list[str]:
         found = {entry.name for entry in out.iterdir() if not entry.name.startswith(PART)} - JUNK
     except OSError as error:
         raise BadInput(f"cannot look into {out}: {error.strerror or error}") from None
+    found = {name for name in found if not name.endswith(BESIDE)}
     foreign = sorted(found - _listed(out / manifest_name, target)) if found else []
     if foreign:
         shown = ", ".join(foreign[:3]) + (f" and {len(foreign) - 3} more" if len(foreign) > 3 else "")

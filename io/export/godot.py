@@ -18,9 +18,10 @@ from .job import Job
 from .layout import Layout, lay_out, plain_layout
 from .manifest import describe, describe_file
 from .map_files import MapStyle
+from .mesh_places import PLACES
 from .records import Channel, Decode, FileRecord, Manifest
 
-STYLE = MapStyle(deep_png=False, south_positive=True)
+STYLE = MapStyle(deep_png=False, south_positive=True, meshes=PLACES["north-west"])
 SIDES = tuple(2**n + 1 for n in range(6, 13))  # HTerrain: 65 … 4097
 MOST = 16384  # Terrain3D: samples a side of a picture
 REGIONS = (64, 128, 256, 512, 1024, 2048)  # and it has 32 regions a side

@@ -21,6 +21,7 @@ from .manifest import describe_file
 from .map_makers import MapRow, Samples
 from .map_rows import MAPS
 from .maps import row_slices
+from .mesh_places import PLACES, MeshPlace
 from .records import Channel, Decode, FileRecord, MapProbe
 
 PROBES = 5  # a side
@@ -31,12 +32,13 @@ DTYPES = {8: np.uint8, 16: np.uint16, 32: np.float32}  # by bits
 @dataclass(frozen=True)
 class MapStyle:
     """What a target's importer takes: 16-bit pictures or floats instead; whether its second axis goes south (Unreal),
-    and whether its normal maps have green down.
+    whether its normal maps have green down, and where meshes have to stand to lie on its terrain.
     """
 
     deep_png: bool = True
     south_positive: bool = False
     green_down: bool = False
+    meshes: MeshPlace = PLACES["south-west"]
 
 
 def write_maps(job: Job, style: MapStyle, rows: Mapping[str, MapRow] = MAPS) -> Piece:

@@ -10,26 +10,27 @@ from .earlier import Piece
 from .job import Job
 from .manifest import describe_file
 from .mesh_glb import AXES, Part, ReadPart, read_parts, write_parts
+from .mesh_places import NORTH, MeshPlace
 from .mesh_rows import MESHES, MeshRow
 from .records import Channel, Decode, FileRecord, MeshPart
 
-FORMULA = "x_m = X, y_m = -Z, height_m = Y, after the node's matrix"
+
+def write_meshes(job: Job, place: MeshPlace) -> Piece:
+    """All chosen meshes that the level has anything of, as `NAME_mesh.glb`, where the target's terrain stands."""
+    made = (job.piece(row.name, partial(_piece, job, row, place)) for row in MESHES.values())
+    return Piece([file for piece in made for file in piece.files])
 
 
-def write_meshes(job: Job) -> Piece:
-    """All chosen meshes that the level has anything of, as `NAME_mesh.glb`."""
-    return Piece([file for row in MESHES.values() for file in job.piece(row.name, partial(_piece, job, row)).files])
-
-
-def _piece(job: Job, row: MeshRow) -> Piece:
+def _piece(job: Job, row: MeshRow, place: MeshPlace) -> Piece:
     parts, off_m = row.make(job.level)
-    return Piece([write_mesh(job, row, parts, off_m)] if parts else [])
+    return Piece([write_mesh(job, row, parts, off_m, place)] if parts else [])
 
 
-def write_mesh(job: Job, row: MeshRow, parts: list[Part], off_m: float) -> FileRecord:
+def write_mesh(job: Job, row: MeshRow, parts: list[Part], off_m: float, place: MeshPlace) -> FileRecord:
     """One GLB; `max_error` is of its bytes, how far thinning is off the ground stands in its parts."""
     path = job.folder / f"{job.name}_{row.name}.glb"
-    write_parts(path, parts, row.name, row.colour)
+    north = job.level.grid.extent_m[1]
+    write_parts(path, parts, row.name, row.colour, place.matrix(north))
     back = read_parts(path)
     wanted = [(part.positions @ AXES.T).astype(np.float32) for part in parts]
     error_m = max(
@@ -46,7 +47,7 @@ def write_mesh(job: Job, row: MeshRow, parts: list[Part], off_m: float) -> FileR
         sample_type="float32",
         row_0=None,
         channels=_channels(row),
-        decode=Decode(formula=FORMULA),
+        decode=Decode(formula=place.formula, numbers={NORTH: north}),
         max_error=100 * error_m,
         parts=tuple(told),
     )
@@ -54,7 +55,7 @@ def write_mesh(job: Job, row: MeshRow, parts: list[Part], off_m: float) -> FileR
 
 def _channels(row: MeshRow) -> list[Channel]:
     return [
-        Channel(name="POSITION", meaning="X east, Y up, -Z north", unit="m"),
+        Channel(name="POSITION", meaning="X east, Y up, -Z north, before the nodes' matrices", unit="m"),
         Channel(name="NORMAL", meaning="unit normal", unit=""),
         Channel(name="TANGENT", meaning="direction of growing u, square to the normal; w 1", unit=""),
         Channel(name="TEXCOORD_0", meaning=row.uv, unit=""),
@@ -87,6 +88,7 @@ def mesh_line(record: FileRecord) -> str:
     masks = "; ".join(f"{c.name[-1]} {c.meaning}" for c in record.channels if c.name.startswith("COLOR_0"))
     uv = next(c.meaning for c in record.channels if c.name == "TEXCOORD_0")
     return (
-        f"{record.name}: {len(record.parts)} meshes, {triangles} triangles; glTF's axes (Y up, metres, north is -Z), "
-        f"which importers turn to their engine's; UV {uv}; vertex colour, linear data, not tint: {masks}"
+        f"{record.name}: {len(record.parts)} meshes, {triangles} triangles; glTF's axes (Y up, metres), "
+        f"which importers turn to their engine's, its root where the terrain stands; UV {uv}; vertex colour, linear "
+        f"data, not tint: {masks}"
     )

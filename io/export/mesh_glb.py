@@ -15,6 +15,7 @@ import numpy as np
 
 from ...level import BadInput
 
+ROOT = "level"
 MAGIC, JSON_CHUNK, BIN_CHUNK = 0x46546C67, 0x4E4F534A, 0x004E4942
 FLOAT, U16, U32 = 5126, 5123, 5125
 TYPES = {"POSITION": ("VEC3", FLOAT), "NORMAL": ("VEC3", FLOAT), "TANGENT": ("VEC4", FLOAT),
@@ -83,8 +84,10 @@ class _Blob:
         return len(self.accessors) - 1
 
 
-def write_parts(path: Path, parts: list[Part], material: str, colour: tuple[float, float, float]) -> None:
-    """All parts, each under the nodes that show it."""
+def write_parts(
+    path: Path, parts: list[Part], material: str, colour: tuple[float, float, float], placed: np.ndarray | None = None
+) -> None:
+    """All parts, each under the nodes that show it, those under one node that is `placed` (4, 4) in glTF's axes."""
     blob, meshes, nodes = _Blob(), [], []
     for part in parts:
         primitive = {"attributes": _attributes(blob, part), "material": 0, "mode": 4}
@@ -95,10 +98,14 @@ def write_parts(path: Path, parts: list[Part], material: str, colour: tuple[floa
             if matrix is not None:
                 node["matrix"] = _turned(np.asarray(matrix, float)).T.ravel().tolist()
             nodes.append(node)
+    roots = list(range(len(nodes)))
+    if placed is not None and (placed != np.eye(4)).any():
+        nodes.append({"name": ROOT, "matrix": placed.T.ravel().tolist(), "children": roots})
+        roots = [len(nodes) - 1]
     root = {
         "asset": {"version": "2.0", "generator": "Shorewright"},
         "scene": 0,
-        "scenes": [{"nodes": list(range(len(nodes)))}],
+        "scenes": [{"nodes": roots}],
         "nodes": nodes,
         "meshes": meshes,
         "materials": [{"name": material, "pbrMetallicRoughness": {
@@ -137,12 +144,15 @@ def _turned(matrix: np.ndarray) -> np.ndarray:
 
 @dataclass(frozen=True)
 class ReadPart:
-    """What a GLB of ours holds, in glTF's axes; `values` by attribute, `triangles` `(m, 3)`, `nodes` that show it."""
+    """What a GLB of ours holds, in glTF's axes; `values` by attribute, `triangles` `(m, 3)`, `nodes` that show it, all
+    `placed` (4, 4) by their root.
+    """
 
     name: str
     values: dict[str, np.ndarray]
     triangles: np.ndarray
     nodes: int
+    placed: np.ndarray
 
 
 def read_parts(path: Path) -> list[ReadPart]:
@@ -155,17 +165,19 @@ def read_parts(path: Path) -> list[ReadPart]:
             raise ValueError("no glTF 2.0 container of its own size")
         root = json.loads(data[20 : 20 + size])
         binary = data[28 + size :]
-        shown = np.bincount([node["mesh"] for node in root["nodes"]], minlength=len(root["meshes"]))
-        return [_read(root, binary, mesh, int(n)) for mesh, n in zip(root["meshes"], shown, strict=True)]
+        shown = np.bincount([n["mesh"] for n in root["nodes"] if "mesh" in n], minlength=len(root["meshes"]))
+        placed = next((n["matrix"] for n in root["nodes"] if "children" in n), np.eye(4).ravel())
+        placed = np.reshape(placed, (4, 4)).T
+        return [_read(root, binary, mesh, int(n), placed) for mesh, n in zip(root["meshes"], shown, strict=True)]
     except (OSError, ValueError, KeyError, IndexError, TypeError, struct.error) as error:
         raise BadInput(f"{path.name} cannot be read as GLB: {' '.join(str(error).split())[:160]}") from None
 
 
-def _read(root: dict, binary: bytes, mesh: dict, nodes: int) -> ReadPart:
+def _read(root: dict, binary: bytes, mesh: dict, nodes: int, placed: np.ndarray) -> ReadPart:
     (primitive,) = mesh["primitives"]
     values = {name: _accessor(root, binary, primitive["attributes"][name]) for name in TYPES}
     indices = _accessor(root, binary, primitive["indices"]).reshape(-1, 3)
-    return ReadPart(mesh["name"], values, indices.astype(np.int64), nodes)
+    return ReadPart(mesh["name"], values, indices.astype(np.int64), nodes, placed)
 
 
 def _accessor(root: dict, binary: bytes, number: int) -> np.ndarray:

@@ -22,6 +22,7 @@ from .manifest import describe
 from .map_files import MapStyle, map_line, write_maps
 from .map_makers import MapRow, Samples
 from .map_makers import flow as whole_flow
+from .mesh_places import PLACES
 from .records import Channel, FileRecord, Manifest, Tiles
 
 SIDES = tuple(2**n + 1 for n in range(5, 13))  # 33 … 4097
@@ -29,7 +30,7 @@ DIVISOR = 65536
 GPU_STEPS = 32766  # Unity's shaders keep a terrain's heights in this many steps
 LEAST_HEIGHT_M = 1.0
 FORMULA = "y_m = v / 65536 * terrain_height_m + position_y_m"
-STYLE = MapStyle()
+STYLE = MapStyle(meshes=PLACES["x-negated"])
 
 
 def crest(level: Level) -> Samples | None:

@@ -21,10 +21,11 @@ from .job import Job
 from .layout import Layout, Tile, lay_out
 from .manifest import describe
 from .map_files import MapStyle
+from .mesh_places import PLACES
 from .records import Manifest, Tiles
 
 MAPS = (("height", "The ground, 16 bits, at the size Unreal recommends."), flow.MAP, *common.told())
-STYLE = MapStyle(south_positive=True, green_down=True)
+STYLE = MapStyle(south_positive=True, green_down=True, meshes=PLACES["north-west"])
 MID = 32768  # the value of z = 0, which is the sea
 HIGHEST = 256 - 1 / 128  # metres above, and 256 below, at ScaleZ 100
 FORMULA = "z_cm = (v - 32768) / 128 * ScaleZ + ActorZ"

@@ -24,6 +24,7 @@ TARGETS = {
     "unity": check_unity,
     "godot": check_godot,
     "godot-hterrain": check_godot,
+    "godot-project": check_godot,
 }
 HEIGHT_MAPS = (".r16", ".raw")
 

@@ -15,21 +15,21 @@ from .records import FileRecord, Manifest
 from .verify_flow import check_flow
 from .verify_ground import SLACK_CM, check_heights, check_probes, check_range, own_records, said_otherwise
 
-PLUGINS = {"godot": ("terrain3d", ".r16"), "godot-hterrain": ("hterrain", ".raw")}
+PLUGINS = {"godot": ("terrain3d", ".r16"), "godot-hterrain": ("hterrain", ".raw"), "godot-project": ("project", ".r16")}
 
 
 def check_godot(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
-    """Findings about either; `whole` are the listed files whose bytes are the ones written."""
+    """Findings about any of them; `whole` are the listed files whose bytes are the ones written."""
     own, terrain, source, world = own_records(manifest), manifest.engine, manifest.source, manifest.world
-    if not manifest.files or set(own) - {"height", "flow"} or not isinstance(terrain, GodotTerrain):
+    if not manifest.files or set(own) - {"height", "flow", "project"} or not isinstance(terrain, GodotTerrain):
         return ["a Godot export has height maps, currents or maps and says how to read them; this manifest does not"]
     plugin, suffix = PLUGINS[manifest.target]
     shape = source.rows, source.cols
     try:
-        if plugin == "terrain3d":
-            layout = terrain3d_layout(shape, source.cell_m)
-        else:
+        if plugin == "hterrain":
             layout = hterrain_layout(shape, source.cell_m, manifest.options)
+        else:
+            layout = terrain3d_layout(shape, source.cell_m)
     except BadInput as error:
         return [str(error)]
     low, high = world.height_min_m - world.sea_level_m, world.height_max_m - world.sea_level_m

@@ -69,7 +69,8 @@ Sea sea_surface(vec2 before) {
     vec2 after = vec2(p.x.x, p.y.x);
     Bed bed = bed_at(after);
     bed.within = d_mul(bed.within, patch_shore(after));
-    Beach beach = before_waves(bed) && bed.depth.x > DEEP_M ? NO_BEACH : beach_at(after);
+    Beach beach = NO_BEACH;  // WebGL chooses between no structs by ?:
+    if (!(before_waves(bed) && bed.depth.x > DEEP_M)) beach = beach_at(after);
     ShoreMasks shore = shore_masks(bed, beach.sway, after);
     // d lift / d before = d lift / d after · d after / d before
 #ifdef RIVERS

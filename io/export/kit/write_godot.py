@@ -7,7 +7,7 @@ from dataclasses import replace
 from ....level import BadInput
 from .reach import changed
 from .tree import Expr, Function, Unit, Variable
-from .write import Writer
+from .write import TIGHT, Writer
 
 WORDS = (
     "global instance varying group_uniforms render_mode shader_type hint filter repeat "
@@ -43,6 +43,12 @@ class GodotWriter(Writer):
 
     def carried(self, function: Function) -> list[str]:
         return [] if function.name in ROOTS else [name for name in function.uses if name in self.changing]
+
+    def x_call(self, of: Expr) -> tuple[str, int]:
+        if of.text == "findLSB":  # Compatibility has none: of a power of two the logarithm is exact enough
+            bits = self.expr(of.parts[0], TIGHT)
+            return f"int(log2(float({bits} & (~{bits} + 1u))) + 0.5)", TIGHT + 2
+        return super().x_call(of)
 
     def arguments(self, own: Function, of: Expr) -> list[str]:
         return [*self.carried(own), *super().arguments(own, of)]

@@ -1,0 +1,159 @@
+"""Godot 4 itself reads what is exported for it, in a browser: the kit's shader, the project, meshes and words (T09)."""
+
+import base64
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from coasts import make_beach
+from godot import web
+from kit_parts import asked
+from shorewright.io import import_height, read_level
+from shorewright.io.export import export
+from shorewright.io.images import read_image
+from shorewright.level import Grid, Level, Rect
+from shorewright.level.flow import current
+from shorewright.level.waves import surface_at
+
+HERE = Path(__file__).parent / "godot"
+SAMPLES = Path(__file__).parents[1] / "sample_levels"
+TIMES_S = (0.0, 3.7, 600.5, 604_800.75)
+COLS, ROWS = 50, 50
+pytestmark = pytest.mark.skipif(web.missing() is not None, reason=str(web.missing()))
+
+
+def scene(script: str) -> dict[str, bytes]:
+    """A project that runs one script."""
+    return {
+        "project.godot": b'config_version=5\n[application]\nrun/main_scene="res://run.tscn"\n[rendering]\n'
+        b'renderer/rendering_method.web="gl_compatibility"\n',
+        "run.tscn": b'[gd_scene load_steps=2 format=3]\n[ext_resource type="Script" path="res://run.gd" id="1"]\n'
+        b'[node name="Run" type="Node"]\nscript = ExtResource("1")\n',
+        "run.gd": (HERE / script).read_bytes(),
+    }
+
+
+def exported(level, folder, *maps) -> dict[str, bytes]:
+    """Files of the level's project, by name."""
+    export(level, "godot-project", folder, maps, name="bay")
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
+def sea_in_godot(level, tmp_path, asks, over=False):
+    """(n, 8) position, normal and current at (n, 3) times and points."""
+    files = exported(level, tmp_path / "out", "project")
+    times = np.unique(asks[:, 0])
+    files |= scene("sea_points.gd")
+    files["sea.gdshaderinc"] = files["bay_sea.gdshaderinc"]
+    files["sea_points.gdshader"] = (HERE / "sea_points.gdshader").read_bytes()
+    files["points.f32"] = np.float32(asks[:, 1:]).tobytes()
+    told = {"name": "bay", "cols": COLS, "rows": ROWS, "over": over, "times_s": times.tolist()}
+    files["asked.json"] = json.dumps(told).encode()
+    (tmp_path / "web").mkdir()
+    found = web.run(files, tmp_path / "web", 300)
+    assert faults(found) == []
+    pixels = [np.frombuffer(base64.b64decode(text), np.uint8) for text in found["answer"]]
+    return np.concatenate([values_of(one.reshape(-1, ROWS, COLS, 3)) for one in pixels])
+
+
+def values_of(blocks: np.ndarray) -> np.ndarray:
+    """(points, 8) floats of 16 blocks of pixels, each with two bytes of one."""
+    words = blocks[..., 0].astype(np.uint32) | blocks[..., 1].astype(np.uint32) << 8
+    bits = words[0::2] | words[1::2] << 16
+    return np.moveaxis(bits.view(np.float32), 0, -1).reshape(-1, 8)
+
+
+def faults(found) -> list[str]:
+    """What Godot complained of; that nobody listed our classes for it is none."""
+    lines = [text for text in found.get("error", []) if "ERROR" in text]
+    return [text for text in lines if "global script cache" not in text]
+
+
+@pytest.mark.parametrize("name", ["cove", "delta"])
+def test_godots_sea_is_the_editors(name, tmp_path):
+    """T09: compiled by Godot 4, the kit gives the twin's sea at 10,000 points and times within a millimetre."""
+    level = read_level(SAMPLES / f"{name}.shore")
+    asks = asked(level, TIMES_S, COLS * ROWS)
+    found = sea_in_godot(level, tmp_path, asks)
+    apart = []
+    for t in TIMES_S:
+        here = asks[:, 0] == t
+        sea = surface_at(level, t, asks[here, 1], asks[here, 2])
+        twin = np.stack([sea.x, sea.y, sea.height_m], -1)
+        apart.append(np.abs(found[here, :3] - twin))
+        flow = np.stack(current(level).at(asks[here, 1], asks[here, 2]), -1)
+        assert np.abs(found[here, 6:] - flow).max() < 1e-4
+    apart = np.concatenate(apart)
+    assert apart[:, 2].max() < 1e-3
+    # a few points in a thousand lie where two waves take over from each other, and floats decide by how far to the side
+    assert np.quantile(apart[:, :2], 0.995) < 1e-3
+
+
+def pyramid_rock(data_dir):
+    found = import_height(data_dir / "coasts" / "pyramidrock_hi.celeris.txt", cell_m="2x1", rows="north-first")
+    return Level(Grid(*found.height.shape, found.cell_m), found.height)
+
+
+LEVELS = {"cove": lambda _: read_level(SAMPLES / "cove.shore"), "pyramid rock": pyramid_rock}
+PEAK_M = 11.0
+
+
+@pytest.mark.parametrize("name", LEVELS)
+def test_godots_own_readers_see_the_level(name, tmp_path, data_dir):
+    """T09: corners and an odd sample of words, pictures and meshes stand where Godot puts them, north at −Z."""
+    level = LEVELS[name](data_dir)
+    rows, cols = level.grid.shape
+    north = level.grid.extent_m[1]
+    odd = rows // 6 * 2, cols // 10 * 2  # large levels have every second sample in their tiles
+    peak = np.float32([[level.height[odd] + PEAK_M]])
+    level.write("height", Rect(odd[0], odd[1], odd[0] + 1, odd[1] + 1), peak)
+    level.write("snow", Rect(odd[0], odd[1], odd[0] + 1, odd[1] + 1), np.ones((1, 1), np.float32))
+    export(level, "godot", tmp_path / "out", ["height", "snow", "tiles", "beach"], name="bay")
+    files = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
+    engine = json.loads(files["bay.shorewright.json"])["engine"]
+    samples = [odd, (0, 0), (0, cols - 1), (rows - 1, 0), (rows - 1, cols - 1)]
+    picture = [(col, rows - 1 - row) for row, col in samples]
+    places = [(col * level.grid.cell_m, north - row * level.grid.cell_m) for row, col in samples]
+    asked_of = {
+        "words": {"name": "bay_height.r16", "places": picture, **engine},
+        "pictures": {"bay_snow.png": picture},
+        "meshes": {"bay_tiles.glb": places, "bay_beach.glb": []},
+    }  # fmt: skip
+    (tmp_path / "web").mkdir()
+    told = web.run(scene("files.gd") | files | {"asked.json": json.dumps(asked_of).encode()}, tmp_path / "web", 120)
+    assert faults(told) == []
+    found = json.loads(told["found"][0])
+    truth = np.array([level.height[at] for at in samples]) - level.sea_level_m
+    assert np.abs(np.array(found["words"]) - truth).max() < 0.51 * (engine["max_m"] - engine["min_m"]) / 65535
+    snow = found["pictures"]["bay_snow.png"]
+    assert snow["size"] == [cols, rows]
+    assert [colour[0] for colour in snow["colours"]] == [255, 0, 0, 0, 0]
+    tiles = found["meshes"]["bay_tiles.glb"]["meshes"]
+    finest = [one for one in tiles if one["name"].endswith("lod0")]
+    for number, height in enumerate(truth):
+        there = [one["heights"][str(number)] for one in finest if str(number) in one["heights"]]
+        assert there == pytest.approx([height] * len(there), abs=0.002)  # it packs a mesh's box into 16 bits
+        assert there
+    for one in [*tiles, *found["meshes"]["bay_beach.glb"]["meshes"]]:
+        assert one["has"] == [True] * 4
+        assert one["up"] > 0
+
+
+def test_the_project_draws_ground_and_a_sea_that_moves(tmp_path):
+    """T09: opened in Godot, its own scene shows sand beside blue water, and a second later other waves."""
+    level = make_beach(rows=129, cols=129, cell_m=1.0)
+    files = exported(level, tmp_path / "out", "project")
+    scene_of_level = files["main.tscn"].decode().replace("level_name =", "coarse = 4\nheld = true\nlevel_name =")
+    files |= scene("drawn.gd") | {"main.tscn": scene_of_level.encode()}
+    (tmp_path / "web").mkdir()
+    found = web.run(files, tmp_path / "web", 400, size=(160, 120))
+    assert faults(found) == []
+    for number, text in enumerate(found["picture"]):
+        (tmp_path / f"{number}.png").write_bytes(base64.b64decode(text))
+    early, late = (read_image(tmp_path / f"{number}.png")[..., :3].astype(int) for number in range(2))
+    land, sea = early[10:40, 20:140], early[80:110, 20:140]
+    assert (land[..., 0] > land[..., 2] + 10).mean() > 0.9
+    assert (sea[..., 2] > sea[..., 0] + 10).mean() > 0.8
+    assert (np.abs(early - late).max(-1) > 8)[50:].mean() > 0.05
+    assert np.abs(early - late)[:40].max() <= 2
