@@ -15,7 +15,7 @@ STEPS = 1000  # of a whole export, for the bar
 def export(
     level: LevelPath,
     *,
-    target: Annotated[str, Parameter(help="unreal, unity, godot, godot-hterrain or raw.")],
+    target: Annotated[str, Parameter(help="unreal, unity, godot, godot-hterrain, godot-project or raw.")],
     output: Annotated[Path, Parameter(name=["--output", "-o"], help="Folder to write; new, empty or an older export.")],
     only: Annotated[list[str] | None, Parameter(negative="", help="Maps to write, by comma; all without it.")] = None,
     resample: Annotated[
