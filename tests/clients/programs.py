@@ -56,12 +56,16 @@ def need(name: str) -> Client:
     return client
 
 
-def ran(name: str, *arguments, command: str = "", seconds: float = 120.0) -> str:
-    """What a client prints; `command` is another program of its package. It has to end well within `seconds`."""
+def ran(name: str, *arguments, command: str = "", home: Path | None = None, seconds: float = 120.0) -> str:
+    """What a client prints; `command` is another program of its package. It has to end well within `seconds`.
+
+    `home` is a folder for what it keeps for its user.
+    """
     client = need(name)
     told = subprocess.run(
         [command or client.command, *map(str, arguments)], capture_output=True, text=True, timeout=seconds,
-        env=os.environ | {"SHOREWRIGHT_CLIENTS": str(INSTALLED), "GDAL_PAM_ENABLED": "NO"},
+        env=os.environ | {"SHOREWRIGHT_CLIENTS": str(INSTALLED), "GDAL_PAM_ENABLED": "NO"}
+        | ({"HOME": str(home)} if home else {}),
     )  # fmt: skip
     assert told.returncode == 0, f"{name} ended with {told.returncode}: {(told.stdout + told.stderr)[-2000:]}"
     return told.stdout
