@@ -3,7 +3,7 @@ PYTHON ?= python3
 LEVEL ?= sample_levels/cove.shore
 VENV := .venv/bin
 
-.PHONY: run test lint bench pictures setup clean
+.PHONY: run test lint bench pictures setup clients clean
 
 run: setup
 	@$(VENV)/python -m shorewright.app.launch $(LEVEL)
@@ -23,5 +23,8 @@ pictures: setup
 setup:
 	@PYTHON=$(PYTHON) .ci/setup
 
+clients:
+	@.ci/clients
+
 clean:
-	rm -rf .venv build *.egg-info out
+	rm -rf .venv .clients build *.egg-info out

@@ -84,7 +84,7 @@ def renderer(ctx):
     made.release()
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def data_dir():
     """The folder of real files beside the project; tests that need it skip where it is missing."""
     if not DATA.is_dir():

@@ -6,7 +6,7 @@ import os
 import time
 
 import numpy as np
-from shorewright.level import BadInput, Grid, Level
+from shorewright.level import LAYERS, BadInput, Grid, Level
 
 GROUND = ["height", "flow"]  # maps of an export that is small
 MANIFEST = "bay.shorewright.json"  # of an export named bay
@@ -27,6 +27,20 @@ def slope_level(rows=30, cols=41, cell_m=1.0, sea_m=0.0):
     noise = np.random.default_rng(8).normal(0, 0.4, (rows, cols))
     level = Level(Grid(rows, cols, cell_m), (-6 + 0.3 * north + 0.1 * east + noise).astype(np.float32))
     level.set("level.sea_level_m", sea_m)
+    return level
+
+
+def painted_level():
+    """A small coast with something in every layer, uneven, and a sky."""
+    level = slope_level(33, 47)
+    rng = np.random.default_rng(5)
+    for name, row in LAYERS.items():
+        if name in ("height", "river_surface") or row.grid != "level":
+            continue
+        low, high = max(row.low, -1.0), min(row.high, 1.0)
+        shape = (*level.grid.shape, len(row.channels)) if len(row.channels) > 1 else level.grid.shape
+        level.write(name, level.grid.rect, rng.uniform(low, high, shape).astype(np.float32))
+    level.set("clouds.on", True)
     return level
 
 

@@ -4,28 +4,17 @@ import json
 
 import numpy as np
 import pytest
-from exports import MANIFEST, one, sign, slope_level
+from exports import MANIFEST, one, painted_level, sign
 from shorewright.io import check, export
 from shorewright.io.export.codes import CODES, decoded, encoded
 from shorewright.io.export.map_rows import MAPS
 from shorewright.io.export.mesh_rows import MESHES
 from shorewright.io.images import read_image
-from shorewright.level import LAYERS
 
 
 @pytest.fixture(scope="module")
 def painted():
-    """A small coast with something in every layer, uneven."""
-    level = slope_level(33, 47)
-    rng = np.random.default_rng(5)
-    for name, row in LAYERS.items():
-        if name in ("height", "river_surface") or row.grid != "level":
-            continue
-        low, high = max(row.low, -1.0), min(row.high, 1.0)
-        shape = (*level.grid.shape, len(row.channels)) if len(row.channels) > 1 else level.grid.shape
-        level.write(name, level.grid.rect, rng.uniform(low, high, shape).astype(np.float32))
-    level.set("clouds.on", True)
-    return level
+    return painted_level()
 
 
 @pytest.fixture(scope="module", params=["raw", "unreal", "unity", "godot"])
