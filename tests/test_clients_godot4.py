@@ -2,36 +2,24 @@
 
 import base64
 import json
-from pathlib import Path
 
 import numpy as np
 import pytest
+from clients.godot4 import run_godot4
+from clients.odd import ODD, SAMPLES, odd_coast
+from clients.programs import CLIENTS, SCRIPTS
 from coasts import make_beach
-from godot import web
 from kit_parts import asked
-from shorewright.io import import_height, read_level
+from shorewright.io import read_level
 from shorewright.io.export import export
 from shorewright.io.images import read_image
-from shorewright.level import Grid, Level, Rect
+from shorewright.level import Rect
 from shorewright.level.flow import current
 from shorewright.level.waves import surface_at
 
-HERE = Path(__file__).parent / "godot"
-SAMPLES = Path(__file__).parents[1] / "sample_levels"
 TIMES_S = (0.0, 3.7, 600.5, 604_800.75)
 COLS, ROWS = 50, 50
-pytestmark = pytest.mark.skipif(web.missing() is not None, reason=str(web.missing()))
-
-
-def scene(script: str) -> dict[str, bytes]:
-    """A project that runs one script."""
-    return {
-        "project.godot": b'config_version=5\n[application]\nrun/main_scene="res://run.tscn"\n[rendering]\n'
-        b'renderer/rendering_method.web="gl_compatibility"\n',
-        "run.tscn": b'[gd_scene load_steps=2 format=3]\n[ext_resource type="Script" path="res://run.gd" id="1"]\n'
-        b'[node name="Run" type="Node"]\nscript = ExtResource("1")\n',
-        "run.gd": (HERE / script).read_bytes(),
-    }
+pytestmark = pytest.mark.skipif(CLIENTS["Godot 4"].missing() is not None, reason=str(CLIENTS["Godot 4"].missing()))
 
 
 def exported(level, folder, *maps) -> dict[str, bytes]:
@@ -40,19 +28,16 @@ def exported(level, folder, *maps) -> dict[str, bytes]:
     return {path.name: path.read_bytes() for path in folder.iterdir()}
 
 
-def sea_in_godot(level, tmp_path, asks, over=False):
+def sea_in_godot(level, tmp_path, asks):
     """(n, 8) position, normal and current at (n, 3) times and points."""
     files = exported(level, tmp_path / "out", "project")
     times = np.unique(asks[:, 0])
-    files |= scene("sea_points.gd")
     files["sea.gdshaderinc"] = files["bay_sea.gdshaderinc"]
-    files["sea_points.gdshader"] = (HERE / "sea_points.gdshader").read_bytes()
+    files["points.gdshader"] = (SCRIPTS / "godot4_points.gdshader").read_bytes()
     files["points.f32"] = np.float32(asks[:, 1:]).tobytes()
-    told = {"name": "bay", "cols": COLS, "rows": ROWS, "over": over, "times_s": times.tolist()}
+    told = {"name": "bay", "cols": COLS, "rows": ROWS, "times_s": times.tolist()}
     files["asked.json"] = json.dumps(told).encode()
-    (tmp_path / "web").mkdir()
-    found = web.run(files, tmp_path / "web", 300)
-    assert faults(found) == []
+    found = run_godot4("godot4_points.gd", files, tmp_path / "told")
     pixels = [np.frombuffer(base64.b64decode(text), np.uint8) for text in found["answer"]]
     return np.concatenate([values_of(one.reshape(-1, ROWS, COLS, 3)) for one in pixels])
 
@@ -62,12 +47,6 @@ def values_of(blocks: np.ndarray) -> np.ndarray:
     words = blocks[..., 0].astype(np.uint32) | blocks[..., 1].astype(np.uint32) << 8
     bits = words[0::2] | words[1::2] << 16
     return np.moveaxis(bits.view(np.float32), 0, -1).reshape(-1, 8)
-
-
-def faults(found) -> list[str]:
-    """What Godot complained of; that nobody listed our classes for it is none."""
-    lines = [text for text in found.get("error", []) if "ERROR" in text]
-    return [text for text in lines if "global script cache" not in text]
 
 
 @pytest.mark.parametrize("name", ["cove", "delta"])
@@ -90,24 +69,13 @@ def test_godots_sea_is_the_editors(name, tmp_path):
     assert np.quantile(apart[:, :2], 0.995) < 1e-3
 
 
-def pyramid_rock(data_dir):
-    found = import_height(data_dir / "coasts" / "pyramidrock_hi.celeris.txt", cell_m="2x1", rows="north-first")
-    return Level(Grid(*found.height.shape, found.cell_m), found.height)
-
-
-LEVELS = {"cove": lambda _: read_level(SAMPLES / "cove.shore"), "pyramid rock": pyramid_rock}
-PEAK_M = 11.0
-
-
-@pytest.mark.parametrize("name", LEVELS)
+@pytest.mark.parametrize("name", ODD)
 def test_godots_own_readers_see_the_level(name, tmp_path, data_dir):
     """T09: corners and an odd sample of words, pictures and meshes stand where Godot puts them, north at −Z."""
-    level = LEVELS[name](data_dir)
+    coast = odd_coast(name, data_dir)
+    level, odd = coast.level, coast.odd
     rows, cols = level.grid.shape
     north = level.grid.extent_m[1]
-    odd = rows // 6 * 2, cols // 10 * 2  # large levels have every second sample in their tiles
-    peak = np.float32([[level.height[odd] + PEAK_M]])
-    level.write("height", Rect(odd[0], odd[1], odd[0] + 1, odd[1] + 1), peak)
     level.write("snow", Rect(odd[0], odd[1], odd[0] + 1, odd[1] + 1), np.ones((1, 1), np.float32))
     export(level, "godot", tmp_path / "out", ["height", "snow", "tiles", "beach"], name="bay")
     files = {path.name: path.read_bytes() for path in (tmp_path / "out").iterdir()}
@@ -120,9 +88,7 @@ def test_godots_own_readers_see_the_level(name, tmp_path, data_dir):
         "pictures": {"bay_snow.png": picture},
         "meshes": {"bay_tiles.glb": places, "bay_beach.glb": []},
     }  # fmt: skip
-    (tmp_path / "web").mkdir()
-    told = web.run(scene("files.gd") | files | {"asked.json": json.dumps(asked_of).encode()}, tmp_path / "web", 120)
-    assert faults(told) == []
+    told = run_godot4("godot4_files.gd", files | {"asked.json": json.dumps(asked_of).encode()}, tmp_path / "told")
     found = json.loads(told["found"][0])
     truth = np.array([level.height[at] for at in samples]) - level.sea_level_m
     assert np.abs(np.array(found["words"]) - truth).max() < 0.51 * (engine["max_m"] - engine["min_m"]) / 65535
@@ -145,10 +111,8 @@ def test_the_project_draws_ground_and_a_sea_that_moves(tmp_path):
     level = make_beach(rows=129, cols=129, cell_m=1.0)
     files = exported(level, tmp_path / "out", "project")
     scene_of_level = files["main.tscn"].decode().replace("level_name =", "coarse = 4\nheld = true\nlevel_name =")
-    files |= scene("drawn.gd") | {"main.tscn": scene_of_level.encode()}
-    (tmp_path / "web").mkdir()
-    found = web.run(files, tmp_path / "web", 400, size=(160, 120))
-    assert faults(found) == []
+    files |= {"main.tscn": scene_of_level.encode()}
+    found = run_godot4("godot4_drawn.gd", files, tmp_path / "told", size="160x120")
     for number, text in enumerate(found["picture"]):
         (tmp_path / f"{number}.png").write_bytes(base64.b64decode(text))
     early, late = (read_image(tmp_path / f"{number}.png")[..., :3].astype(int) for number in range(2))
