@@ -1,4 +1,4 @@
-"""Where the player can go: wading depth and slope (the talk's navmesh view, D31), whatever the tide."""
+"""Where the player can go: wading depth and slope (the talk's navmesh view, D31), whatever the tide and the waves."""
 
 from __future__ import annotations
 
@@ -6,10 +6,14 @@ import math
 
 import numpy as np
 
+from .beat import beat
 from .grid import Rect
 from .level import Level
 
 STEEP_M = -1e9  # no sea is so low
+MOMENTS = 12  # of a period at which the sea is asked
+TOGETHER = 1 << 14  # places that are asked at once, all moments one after another
+SPARE_M = 0.1  # how much nearer than the highest waves the ground must come
 
 
 def walkable(level: Level, rect: Rect | None = None) -> np.ndarray:
@@ -37,3 +41,31 @@ def _flat(level: Level, rect: Rect) -> tuple[np.ndarray, np.ndarray]:
     steepest = math.tan(math.radians(walk.slope_deg))
     inner = rect.shifted(wide).slices
     return height[inner], (north * north + east * east <= steepest * steepest)[inner]
+
+
+def wading_m(level: Level, ground: np.ndarray, x, y, most_m: float) -> tuple[np.ndarray, np.ndarray]:
+    """Least and greatest depth of the water over a period of the waves from clock time 0, m, held to 0 … `most_m`.
+
+    `ground` are heights at world points x, y, arrays of one shape. The sea is asked only where waves decide.
+    """
+    from .river_map import river_map
+    from .timing import period_s
+    from .waves import largest_height_m, sea_at
+
+    reach_m = largest_height_m(level) + level.settings.shore.draw_m + SPARE_M
+    still = level.sea_level_m - ground
+    asked = (still > -reach_m) & (still < most_m + reach_m)
+    if (rivers := river_map(level)) is not None:
+        asked |= rivers.at(x, y)["share"].v > 0
+    least, most = (still.astype(np.float64) for _ in range(2))
+    places, period = np.flatnonzero(asked), period_s(level, 0.0)
+    for first in range(0, len(places), TOGETHER):
+        at = places[first : first + TOGETHER]
+        low, high = np.full(len(at), np.inf), np.full(len(at), -np.inf)
+        for moment in range(MOMENTS):
+            beat((first + len(at) * moment / MOMENTS) / len(places))
+            sea = sea_at(level, period * moment / MOMENTS, x.flat[at], y.flat[at])
+            depth = sea.height_m - ground.flat[at]
+            low, high = np.minimum(low, depth), np.maximum(high, depth)
+        least.flat[at], most.flat[at] = low, high
+    return np.clip(least, 0.0, most_m), np.clip(most, 0.0, most_m)

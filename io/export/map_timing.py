@@ -9,13 +9,11 @@ from functools import wraps
 import numpy as np
 
 from ...level import Level
-from .beat import beat
 from .map_makers import Rows, Samples
 
 NO_WAVE_S = -60_000.0  # a half float still holds it
 WALK_SIDE = 257  # samples a side at which the sea is asked over a period
-WALK_MOMENTS = 12
-SHALLOW_M, DEEP_M = 0.0, 4.0  # wading depths that are told apart
+DEEP_M = 4.0  # wading depths that are told apart
 KEPT_BYTES = 32_000_000
 SWELLS = 3  # as many as a picture has colours
 
@@ -74,29 +72,15 @@ def front_phase(level: Level) -> Samples | None:
 @kept
 def walkable(level: Level) -> Samples | None:
     """Depths on a coarser grid, for every sample is a sea of its own; the tide on the level's samples there."""
-    from ...level.timing import period_s
-    from ...level.walk import STEEP_M, highest_sea_m
-    from ...level.waves import sea_at
+    from ...level.walk import STEEP_M, highest_sea_m, wading_m
 
     stride = max(1, -(-(max(level.grid.shape) - 1) // (WALK_SIDE - 1)))
     ground = level.height[::stride, ::stride].astype(np.float64)
     cell_m = stride * level.grid.cell_m
     y, x = (np.arange(n) * cell_m for n in ground.shape)
-    x, y = np.meshgrid(x, y)
-    near = (ground < level.sea_level_m + DEEP_M) & (ground > level.sea_level_m - 3 * DEEP_M)
-    least, most = np.full(ground.shape, np.inf), np.full(ground.shape, -np.inf)
-    for part in np.arange(WALK_MOMENTS) / WALK_MOMENTS:
-        beat(part)
-        t = part * period_s(level, 0.0)
-        if near.any():
-            depth = sea_at(level, float(t), x[near], y[near]).height_m - ground[near]
-            least[near], most[near] = np.minimum(least[near], depth), np.maximum(most[near], depth)
-    still = level.sea_level_m - ground
-    least, most = np.where(near, least, still), np.where(near, most, still)
+    least, most = wading_m(level, ground, *np.meshgrid(x, y), DEEP_M)
     highest = highest_sea_m(level, level.grid.rect)[::stride, ::stride]
     low = min(float(highest[highest > STEEP_M].min(initial=0.0)) - 1.0, -1.0)
     high = max(float(highest.max()), low + 1.0)
-    values = np.stack(
-        [np.clip(least, SHALLOW_M, DEEP_M), np.clip(most, SHALLOW_M, DEEP_M), np.maximum(highest, low)], -1
-    )
-    return Samples(values.astype(np.float32), cell_m, (SHALLOW_M, SHALLOW_M, low), (DEEP_M, DEEP_M, high))
+    values = np.stack([least, most, np.maximum(highest, low)], -1)
+    return Samples(values.astype(np.float32), cell_m, (0.0, 0.0, low), (DEEP_M, DEEP_M, high))
