@@ -2,34 +2,34 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import wraps
 
 import numpy as np
 
 from ...level import Level
-from .map_makers import Rows, Samples
+from .beat import beat
+from .map_makers import Rows, Samples, spooled
+from .maps import row_slices
 
 NO_WAVE_S = -60_000.0  # a half float still holds it
 WALK_SIDE = 257  # samples a side at which the sea is asked over a period
 DEEP_M = 4.0  # wading depths that are told apart
-KEPT_BYTES = 32_000_000
+ROW_NUMBERS = 16  # float64 numbers a sample that the clock of fronts works with
+MAKING = 0.8  # of the time that such a map takes; the rest is for its file
 SWELLS = 3  # as many as a picture has colours
 
 
 def kept(make: Callable[[Level], Samples | None]) -> Callable[[Level], Samples | None]:
-    """A maker whose samples stay with the level until it changes, for other targets and maps; only small ones."""
+    """A maker whose samples stay with the level until it changes, for other targets and maps."""
 
     @wraps(make)
     def made(level: Level) -> Samples | None:
         name = f"export {make.__name__}"
         now = level.revision, level.settings_revision, level.objects_revision
         then, samples = level.derived.get(name, (None, None))
-        if then == now:
-            return samples
-        samples = make(level)
-        if samples is None or 4 * math.prod(samples.values.shape) <= KEPT_BYTES:
+        if then != now:
+            samples = make(level)
             level.derived[name] = now, samples
         return samples
 
@@ -38,22 +38,26 @@ def kept(make: Callable[[Level], Samples | None]) -> Callable[[Level], Samples |
 
 @kept
 def arrivals(level: Level) -> Samples | None:
-    from ...level.timing import period_s, whole_maps
+    from ...level.timing import Clock, map_rows, period_s
 
-    maps = whole_maps(level, 0.0)
-    del maps["front_speed"]
-    swells = [np.nan_to_num(values, copy=False, nan=NO_WAVE_S) for values in maps.values()][:SWELLS]
-    if all((values == NO_WAVE_S).all() for values in swells):
-        return None
+    clock, shape, any_wave = Clock.of(level, 0.0), (*level.grid.shape, SWELLS), False
 
-    def read(start: int, stop: int) -> np.ndarray:
-        values = np.full((stop - start, level.grid.cols, SWELLS), NO_WAVE_S, np.float32)
-        for index, swell in enumerate(swells):
-            values[..., index] = swell[start:stop]
-        return values
+    def blocks() -> Iterator[np.ndarray]:
+        nonlocal any_wave
+        for rows in row_slices(shape[0], ROW_NUMBERS * shape[1]):
+            beat(MAKING * rows.stop / shape[0])
+            values = np.full((rows.stop - rows.start, *shape[1:]), NO_WAVE_S, np.float32)
+            for index, swell in enumerate(_swells(map_rows(level, 0.0, rows, clock))):
+                values[..., index] = np.nan_to_num(swell, copy=False, nan=NO_WAVE_S)
+            any_wave = any_wave or bool((values != NO_WAVE_S).any())
+            yield values
 
-    numbers = {"period_s": float(period_s(level, 0.0))}
-    return Samples(Rows((*level.grid.shape, SWELLS), read), level.grid.cell_m, numbers=numbers)
+    samples = Samples(spooled(shape, blocks()), level.grid.cell_m, numbers={"period_s": float(period_s(level, 0.0))})
+    return samples if any_wave else None
+
+
+def _swells(maps: dict[str, np.ndarray]) -> list[np.ndarray]:
+    return [values for name, values in maps.items() if name != "front_speed"][:SWELLS]
 
 
 def front_phase(level: Level) -> Samples | None:
