@@ -83,7 +83,7 @@ def walkable(level: Level) -> Samples | None:
     cell_m = stride * level.grid.cell_m
     y, x = (np.arange(n) * cell_m for n in ground.shape)
     least, most = wading_m(level, ground, *np.meshgrid(x, y), DEEP_M)
-    highest = highest_sea_m(level, level.grid.rect)[::stride, ::stride]
+    highest = highest_sea_m(level, level.grid.rect, stride)
     low = min(float(highest[highest > STEEP_M].min(initial=0.0)) - 1.0, -1.0)
     high = max(float(highest.max()), low + 1.0)
     values = np.stack([least, most, np.maximum(highest, low)], -1)
