@@ -2,6 +2,7 @@
 
 write_rows(path, (rows, cols, 3), np.uint16, blocks)     # blocks: arrays of rows, from the top
 for rows, samples in read_rows(path, slices): ...
+with open_rows(path) as image: image.header, image.read(rows)
 """
 
 from __future__ import annotations
@@ -9,12 +10,14 @@ from __future__ import annotations
 import contextlib
 import os
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
 from ..level import BadInput
-from .images import check_written, damaged, error_of, header_of, kind_of, open_image, set_attributes
+from .images import Header, check_written, damaged, error_of, header_of, kind_of, open_image, set_attributes
 from .transaction import disk_reason
 
 NAMES = {1: "Y", 3: "RGB", 4: "RGBA"}
@@ -61,18 +64,46 @@ def _encode(path: Path, shape: tuple[int, int, int], dtype: np.dtype, blocks: It
         check_written(path)
 
 
-def read_rows(path: Path, slices: Iterable[slice]) -> Iterator[tuple[slice, np.ndarray]]:
-    """The samples of those rows, as `read_image` has them; BadInput when the image is damaged or has fewer rows."""
+@dataclass(frozen=True)
+class ImageRows:
+    """An image that is open, to be read some rows at a time."""
+
+    path: Path
+    header: Header
+    image: Any
+
+    @property
+    def shape(self) -> tuple[int, int, int]:
+        return self.header.rows, self.header.cols, len(self.header.channels)
+
+    @property
+    def dtype(self) -> np.dtype:
+        """Of the samples that `read` returns."""
+        return np.dtype(self.header.dtype if self.header.whole else np.float32)
+
+    def read(self, rows: slice) -> np.ndarray:
+        """The samples of those rows, as `read_image` has them; BadInput when they are damaged or not there."""
+        wanted, (_, cols, channels) = self.header.dtype if self.header.whole else "float", self.shape
+        try:
+            pixels = self.image.read_scanlines(rows.start, rows.stop, 0, 0, channels, wanted)
+        except Exception as error:  # the binding raises what it likes
+            raise damaged(self.path, str(error)) from None
+        reason = error_of(self.image)
+        if pixels is None or reason:
+            raise damaged(self.path, reason)
+        return pixels.reshape(rows.stop - rows.start, cols, channels)
+
+
+@contextlib.contextmanager
+def open_rows(path: Path) -> Iterator[ImageRows]:
+    """The image open for reading; BadInput when it is none."""
     image = open_image(path)
     with contextlib.closing(image):
-        header = header_of(path, image)
-        wanted = header.dtype if header.whole else "float"
+        yield ImageRows(path, header_of(path, image), image)
+
+
+def read_rows(path: Path, slices: Iterable[slice]) -> Iterator[tuple[slice, np.ndarray]]:
+    """The samples of those rows, as `read_image` has them; BadInput when the image is damaged or has fewer rows."""
+    with open_rows(path) as image:
         for rows in slices:
-            try:
-                pixels = image.read_scanlines(rows.start, rows.stop, 0, 0, len(header.channels), wanted)
-            except Exception as error:  # the binding raises what it likes
-                raise damaged(path, str(error)) from None
-            reason = error_of(image)
-            if pixels is None or reason:
-                raise damaged(path, reason)
-            yield rows, pixels.reshape(rows.stop - rows.start, header.cols, len(header.channels))
+            yield rows, image.read(rows)

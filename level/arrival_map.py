@@ -182,10 +182,12 @@ class ArrivalMap:
         block, sums = self.block(which), [0.0, 0.0, 0.0]
         for r in range(3):
             for c in range(3):
-                value = block[row + r - 1, col + c - 1].astype(np.float64)
+                # the channel first: several times faster than with runs of four numbers
+                value = np.moveaxis(block[row + r - 1, col + c - 1], -1, 0).astype(np.float64, order="C")
                 for n, weight in enumerate((wx[c] * wy[r], dx[c] * wy[r], wx[c] * dy[r])):
-                    sums[n] = sums[n] + value * weight[..., None]
-        return Dual(sums[0], sums[1] / self.cell_m, sums[2] / self.cell_m)
+                    sums[n] = sums[n] + value * weight
+        value, to_x, to_y = (np.moveaxis(part, 0, -1) for part in sums)
+        return Dual(value, to_x / self.cell_m, to_y / self.cell_m)
 
 
 def resized(values: np.ndarray, shape: tuple[int, int]) -> np.ndarray:

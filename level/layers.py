@@ -147,10 +147,6 @@ class LayerData:
             return np.broadcast_to(np.float32(0), rect.shape + self.shape[2:])
         return self._array[rect.slices]
 
-    def round(self, values: np.ndarray) -> np.ndarray:
-        """Values as the file will hold them."""
-        return values.astype(np.float32)
-
     # A tile is saved before its first write, settled when the stroke is released, swapped by undo and redo.
 
     def tile(self, tile: tuple[int, int]) -> np.ndarray | None:
@@ -166,9 +162,7 @@ class LayerData:
         return self.tile(tile), None
 
     def settle(self, tile: tuple[int, int], snapshot: tuple) -> None:
-        """Make what a stroke left in the live array the stored tile, rounded once."""
-        where = self.grid.tile_rect(tile).slices
-        self.array[where] = self.round(self.array[where])
+        """Make what a stroke left in the live array the stored tile."""
         self.written[tile] = True
 
     def restore(self, tile: tuple[int, int], snapshot: tuple) -> None:

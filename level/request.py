@@ -8,6 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable, Generator, Iterator
 from typing import Any, Protocol, TypeVar
 
+from .beat import beat
+
 Answer = TypeVar("Answer", covariant=True)
 Made = TypeVar("Made")
 Parts = Iterator[None]  # a work that pauses now and then, to go on in a later frame
@@ -40,6 +42,7 @@ class Beside(Protocol):
 def finished(parts: Generator[None, None, Made]) -> Made:
     """What a work in parts returns, done at once."""
     while True:
+        beat()
         try:
             next(parts)
         except StopIteration as end:

@@ -120,7 +120,7 @@ def _refill(level: Level, grid: Grid, change) -> None:
                 target.put_tile(tile, data.tile(tile))
             continue
         values = change(data.sculpt if name == "height" else data.array)
-        _put(target, target.round(values))
+        _put(target, values.astype(np.float32, copy=False))
 
 
 def _put(target: LayerData, values: np.ndarray) -> None:

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy import ndimage
 
+from .beat import beat
 from .request import Request
 from .travel_time import LEAST_DEPTH_M, TravelTime, solve, stride
 from .wave_heights import BREAKS_AT, WaveHeights, wave_heights
@@ -89,12 +90,14 @@ def felt_bed(depth_m: np.ndarray, cell_m: float, over_m: float) -> np.ndarray:
 
 
 def _solve(request: SwellRequest, depth_m: np.ndarray, swell: Swell) -> SwellResult:
+    beat()
     step = request.step
     speed = 1.0 if request.speed is None else request.speed
     found = solve(
         depth_m, request.cell_m, swell.period_s, swell.heading_deg, speed, request.least_depth_m, request.origin_m,
         current=request.current,
     )  # fmt: skip
+    beat()
     if swell.height_m <= 0:
         return SwellResult(found, None, step)
     thinned = found if step == 1 else found.strided(step)

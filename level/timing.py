@@ -150,12 +150,17 @@ def speed_on(level: Level, t: float, depth_m: float, slope: float) -> float:
 def swell_arrivals(level: Level, t: float, x, y, clock: Clock | None = None) -> dict[str, np.ndarray]:
     """Absolute seconds by swell: `shore` with the depth's clock, else `swell1` to `swell3`, the leading one first."""
     clock = clock or Clock.of(level, t)
-    made, lead = clock.made, passage(level, t, x, y, clock).arrival_s
+    return _by_swell(clock, x, y, passage(level, t, x, y, clock).arrival_s)
+
+
+def _by_swell(clock: Clock, x, y, lead: np.ndarray) -> dict[str, np.ndarray]:
+    """The arrival of the leading swell with those of the others."""
+    made = clock.made
     if made is None:
         return {"shore": lead}
     if not np.ptp(made.plane, axis=0).any():  # one swell in place of the level's (one_swell.py)
         return {"swell1": lead}
-    at, sea = made.at(x, y).swells, clock.level.settings.sea
+    at, sea = made.at(x, y, heights=False).swells, clock.level.settings.sea
     others = {
         f"swell{i + 1}": made.period_s[i] * (at[i].v + phase_noise(sea, clock.fronts, i, x, y).v)
         for i in range(1, len(at))
@@ -196,17 +201,19 @@ def timing_map(level: Level, t: float, most_side: int = MAP_SIDE) -> TimingMap:
     return kept[key][0]
 
 
-def whole_maps(level: Level, t: float, band: int = 128) -> dict[str, np.ndarray]:
-    """Float32 `(rows, cols)`, a sample a height vertex, row 0 south: arrival in seconds by swell, and `front_speed`.
+def map_rows(level: Level, t: float, rows: slice, clock: Clock | None = None) -> dict[str, np.ndarray]:
+    """Float32 `(rows, cols)` of some rows of height vertices, from the south: arrival in seconds by swell, and
+    `front_speed`; NaN where no wave stands."""
+    clock = clock or Clock.of(level, t)
+    cell_m = level.grid.cell_m
+    x, y = np.meshgrid(np.arange(level.grid.cols) * cell_m, np.arange(rows.start, rows.stop) * cell_m)
+    here = passage(level, t, x, y, clock)
+    maps = {**_by_swell(clock, x, y, here.arrival_s), "front_speed": here.speed_mps}
+    return {name: np.where(here.stands, values, np.nan).astype(np.float32) for name, values in maps.items()}
 
-    NaN where no wave stands. Worked out a band of rows at a time.
-    """
-    rows, cols = level.grid.shape
-    cell_m, maps, clock = level.grid.cell_m, {}, Clock.of(level, t)
-    for row in range(0, rows, band):
-        x, y = np.meshgrid(np.arange(cols) * cell_m, np.arange(row, min(row + band, rows)) * cell_m)
-        here = passage(level, t, x, y, clock)
-        for name, values in {**swell_arrivals(level, t, x, y, clock), "front_speed": here.speed_mps}.items():
-            part = maps.setdefault(name, np.empty((rows, cols), np.float32))
-            part[row : row + band] = np.where(here.stands, values, np.nan)
-    return maps
+
+def whole_maps(level: Level, t: float, band: int = 128) -> dict[str, np.ndarray]:
+    """`map_rows` of the whole level, worked out a band of rows at a time."""
+    rows, clock = level.grid.rows, Clock.of(level, t)
+    bands = [map_rows(level, t, slice(row, min(row + band, rows)), clock) for row in range(0, rows, band)]
+    return {name: np.concatenate([one[name] for one in bands]) for name in bands[0]}

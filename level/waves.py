@@ -188,13 +188,16 @@ def _before_breaking(level: Level, t: float, fronts: list[Fronts], made: Arrival
         return x, y
 
     times = np.broadcast_to(t, shape).ravel()[near] if np.ndim(t) else t
-    if np.ndim(level.tide_m):
-        level = copy.copy(level)
-        level.tide_m = np.broadcast_to(level.tide_m, shape).ravel()[near]
-        made = made if made is None else made.only(np.broadcast_to(made.rise, shape).ravel()[near])
+    tides = np.broadcast_to(level.tide_m, shape).ravel()[near] if np.ndim(level.tide_m) else None
+    rises = None if tides is None or made is None else np.broadcast_to(made.rise, shape).ravel()[near]
 
-    def carried(at: np.ndarray) -> Moved:
-        masks = _shore_waves(level, times, fronts, made, *at).masks
+    def carried(at: np.ndarray, which: np.ndarray) -> Moved:
+        here, its = level, made
+        if tides is not None:
+            here = copy.copy(level)
+            here.tide_m = tides[which]
+            its = made if rises is None else made.only(rises[which])
+        masks = _shore_waves(here, times[which] if np.ndim(times) else times, fronts, its, *at).masks
         return Moved(masks.shift, masks.way, masks.lift.v)
 
     at[:, near] = uncarried(carried, at[:, near], overhang_m(shore))

@@ -26,7 +26,7 @@ void main() {
 """
 
 
-def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict, defines=()):
+def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict, defines=(), filters=None):
     """Run a vertex shader over points `in_at` (n, 2), read back its varyings (floats by name), release `textures`."""
     defines = [*defines, *(["TRAVEL_TIME"] if "u_arrival" in textures else [])]
     text = (
@@ -36,7 +36,7 @@ def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, un
     )
     program = ctx.program(vertex_shader=text, varyings=list(varyings))
     for unit, (name, texture) in enumerate(textures.items()):
-        texture.filter = (ctx.NEAREST, ctx.NEAREST)
+        texture.filter = (filters or {}).get(name, (ctx.NEAREST, ctx.NEAREST))
         texture.use(unit)
         program[name] = unit
     set_uniforms(program, uniforms)

@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+import weakref
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from tempfile import SpooledTemporaryFile
 
 import numpy as np
 
@@ -13,6 +15,7 @@ from ...level.layers import WEATHER_GRID
 from .records import Channel
 
 STILL_MPS = 1e-4
+HELD_BYTES = 32_000_000  # a map that took long to make and is larger waits on the disk
 
 
 @dataclass(frozen=True)
@@ -28,6 +31,21 @@ class Rows:
     def __getitem__(self, rows: slice) -> np.ndarray:
         start, stop, _ = rows.indices(self.shape[0])
         return self.read(start, stop)
+
+
+def spooled(shape: tuple[int, int, int], blocks: Iterable[np.ndarray]) -> Rows:
+    """Rows that were worked out once, from the south: in memory, or in a file without a name when they are many."""
+    file = SpooledTemporaryFile(HELD_BYTES)  # noqa: SIM115 - it ends with the rows
+    for block in blocks:
+        file.write(np.ascontiguousarray(block, np.float32).data)
+    row_bytes = 4 * shape[1] * shape[2]
+
+    def read(start: int, stop: int) -> np.ndarray:
+        file.seek(start * row_bytes)
+        return np.frombuffer(file.read((stop - start) * row_bytes), np.float32).reshape(stop - start, *shape[1:])
+
+    weakref.finalize(read, file.close)
+    return Rows(shape, read)
 
 
 @dataclass(frozen=True)

@@ -2,36 +2,34 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import wraps
 
 import numpy as np
 
 from ...level import Level
 from .beat import beat
-from .map_makers import Rows, Samples
+from .map_makers import Rows, Samples, spooled
+from .maps import row_slices
 
 NO_WAVE_S = -60_000.0  # a half float still holds it
 WALK_SIDE = 257  # samples a side at which the sea is asked over a period
-WALK_MOMENTS = 12
-SHALLOW_M, DEEP_M = 0.0, 4.0  # wading depths that are told apart
-KEPT_BYTES = 32_000_000
+DEEP_M = 4.0  # wading depths that are told apart
+ROW_NUMBERS = 16  # float64 numbers a sample that the clock of fronts works with
+MAKING = 0.8  # of the time that such a map takes; the rest is for its file
 SWELLS = 3  # as many as a picture has colours
 
 
 def kept(make: Callable[[Level], Samples | None]) -> Callable[[Level], Samples | None]:
-    """A maker whose samples stay with the level until it changes, for other targets and maps; only small ones."""
+    """A maker whose samples stay with the level until it changes, for other targets and maps."""
 
     @wraps(make)
     def made(level: Level) -> Samples | None:
         name = f"export {make.__name__}"
         now = level.revision, level.settings_revision, level.objects_revision
         then, samples = level.derived.get(name, (None, None))
-        if then == now:
-            return samples
-        samples = make(level)
-        if samples is None or 4 * math.prod(samples.values.shape) <= KEPT_BYTES:
+        if then != now:
+            samples = make(level)
             level.derived[name] = now, samples
         return samples
 
@@ -40,22 +38,26 @@ def kept(make: Callable[[Level], Samples | None]) -> Callable[[Level], Samples |
 
 @kept
 def arrivals(level: Level) -> Samples | None:
-    from ...level.timing import period_s, whole_maps
+    from ...level.timing import Clock, map_rows, period_s
 
-    maps = whole_maps(level, 0.0)
-    del maps["front_speed"]
-    swells = [np.nan_to_num(values, copy=False, nan=NO_WAVE_S) for values in maps.values()][:SWELLS]
-    if all((values == NO_WAVE_S).all() for values in swells):
-        return None
+    clock, shape, any_wave = Clock.of(level, 0.0), (*level.grid.shape, SWELLS), False
 
-    def read(start: int, stop: int) -> np.ndarray:
-        values = np.full((stop - start, level.grid.cols, SWELLS), NO_WAVE_S, np.float32)
-        for index, swell in enumerate(swells):
-            values[..., index] = swell[start:stop]
-        return values
+    def blocks() -> Iterator[np.ndarray]:
+        nonlocal any_wave
+        for rows in row_slices(shape[0], ROW_NUMBERS * shape[1]):
+            beat(MAKING * rows.stop / shape[0])
+            values = np.full((rows.stop - rows.start, *shape[1:]), NO_WAVE_S, np.float32)
+            for index, swell in enumerate(_swells(map_rows(level, 0.0, rows, clock))):
+                values[..., index] = np.nan_to_num(swell, copy=False, nan=NO_WAVE_S)
+            any_wave = any_wave or bool((values != NO_WAVE_S).any())
+            yield values
 
-    numbers = {"period_s": float(period_s(level, 0.0))}
-    return Samples(Rows((*level.grid.shape, SWELLS), read), level.grid.cell_m, numbers=numbers)
+    samples = Samples(spooled(shape, blocks()), level.grid.cell_m, numbers={"period_s": float(period_s(level, 0.0))})
+    return samples if any_wave else None
+
+
+def _swells(maps: dict[str, np.ndarray]) -> list[np.ndarray]:
+    return [values for name, values in maps.items() if name != "front_speed"][:SWELLS]
 
 
 def front_phase(level: Level) -> Samples | None:
@@ -74,29 +76,15 @@ def front_phase(level: Level) -> Samples | None:
 @kept
 def walkable(level: Level) -> Samples | None:
     """Depths on a coarser grid, for every sample is a sea of its own; the tide on the level's samples there."""
-    from ...level.timing import period_s
-    from ...level.walk import STEEP_M, highest_sea_m
-    from ...level.waves import sea_at
+    from ...level.walk import STEEP_M, highest_sea_m, wading_m
 
     stride = max(1, -(-(max(level.grid.shape) - 1) // (WALK_SIDE - 1)))
     ground = level.height[::stride, ::stride].astype(np.float64)
     cell_m = stride * level.grid.cell_m
     y, x = (np.arange(n) * cell_m for n in ground.shape)
-    x, y = np.meshgrid(x, y)
-    near = (ground < level.sea_level_m + DEEP_M) & (ground > level.sea_level_m - 3 * DEEP_M)
-    least, most = np.full(ground.shape, np.inf), np.full(ground.shape, -np.inf)
-    for part in np.arange(WALK_MOMENTS) / WALK_MOMENTS:
-        beat(part)
-        t = part * period_s(level, 0.0)
-        if near.any():
-            depth = sea_at(level, float(t), x[near], y[near]).height_m - ground[near]
-            least[near], most[near] = np.minimum(least[near], depth), np.maximum(most[near], depth)
-    still = level.sea_level_m - ground
-    least, most = np.where(near, least, still), np.where(near, most, still)
-    highest = highest_sea_m(level, level.grid.rect)[::stride, ::stride]
+    least, most = wading_m(level, ground, *np.meshgrid(x, y), DEEP_M)
+    highest = highest_sea_m(level, level.grid.rect, stride)
     low = min(float(highest[highest > STEEP_M].min(initial=0.0)) - 1.0, -1.0)
     high = max(float(highest.max()), low + 1.0)
-    values = np.stack(
-        [np.clip(least, SHALLOW_M, DEEP_M), np.clip(most, SHALLOW_M, DEEP_M), np.maximum(highest, low)], -1
-    )
-    return Samples(values.astype(np.float32), cell_m, (SHALLOW_M, SHALLOW_M, low), (DEEP_M, DEEP_M, high))
+    values = np.stack([least, most, np.maximum(highest, low)], -1)
+    return Samples(values.astype(np.float32), cell_m, (0.0, 0.0, low), (DEEP_M, DEEP_M, high))

@@ -5,7 +5,7 @@ Quantise once, with `round()`: exporters that truncate lose up to a whole step a
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -120,3 +120,19 @@ def row_blocks(samples: np.ndarray) -> Iterator[Block]:
     """The samples themselves, as float64 blocks of rows."""
     for block in row_slices(*samples.shape):
         yield block, np.asarray(samples[block], np.float64)
+
+
+def picked(blocks: Iterable[Block], rows: Sequence[int], cols: Sequence[int]) -> np.ndarray:
+    """The samples at some places, `(places, …)`, of a walk over all rows; ValueError when it hasn't all of them."""
+    row, col = np.asarray(rows), np.asarray(cols)
+    order, found = np.argsort(row, kind="stable"), None
+    in_order, taken = row[order], 0
+    for block, values in blocks:
+        here = order[slice(*np.searchsorted(in_order, (block.start, block.stop)))]
+        if found is None:
+            found = np.empty((len(row), *values.shape[2:]), values.dtype)
+        found[here] = values[row[here] - block.start, col[here]]
+        taken += len(here)
+    if taken != len(row):
+        raise ValueError("some of the places lie on no row")
+    return found

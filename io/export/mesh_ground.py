@@ -77,10 +77,9 @@ def walkable_mesh(level: Level) -> tuple[list[Part], float]:
     """Quads of the ground all of whose samples a walker can reach, thinned as the terrain is; and how far it is off."""
     base = meshes.terrain_mesh(level.height, level.grid.cell_m, TILE_BUDGET)
     free = walkable(level)
-    blocked = np.pad(np.cumsum(np.cumsum(~free, 0), 1), ((1, 0), (1, 0)))
-    r0, r1, c0, c1 = base.rows_at[:-1], base.rows_at[1:] + 1, base.cols_at[:-1], base.cols_at[1:] + 1
-    inside = blocked[np.ix_(r1, c1)] - blocked[np.ix_(r0, c1)] - blocked[np.ix_(r1, c0)] + blocked[np.ix_(r0, c0)]
-    triangles = base.faces[np.repeat((inside == 0).ravel(), 2)]
+    strips = np.logical_and.reduceat(free, base.rows_at[:-1], 0) & free[base.rows_at[1:]]
+    inside = np.logical_and.reduceat(strips, base.cols_at[:-1], 1) & strips[:, base.cols_at[1:]]
+    triangles = base.faces[np.repeat(inside.ravel(), 2)]
     if not len(triangles):
         return [], 0.0
     used, triangles = np.unique(triangles, return_inverse=True)

@@ -5,15 +5,18 @@ from __future__ import annotations
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
+
 from ...level import BadInput
 from . import flow
 from .common import check_common
 from .engine_records import GodotTerrain
 from .godot import EXR_FORMULA, hterrain_layout, terrain3d_layout, terrain_of, words_of
 from .layout import Layout
+from .maps import row_slices
 from .records import FileRecord, Manifest
 from .verify_flow import check_flow
-from .verify_ground import SLACK_CM, check_heights, check_probes, check_range, own_records, said_otherwise
+from .verify_ground import check_floats, check_heights, own_records, said_otherwise
 
 PLUGINS = {"godot": ("terrain3d", ".r16"), "godot-hterrain": ("hterrain", ".raw"), "godot-project": ("project", ".r16")}
 
@@ -51,21 +54,19 @@ def check_godot(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
 
 def _floats(manifest: Manifest, record: FileRecord, whole: dict[str, Path], layout: Layout) -> Iterator[str]:
     """The EXR: its size, range and probes."""
-    from ..images import read_image
+    from ..image_rows import open_rows
 
     if record.decode.formula != EXR_FORMULA or record.row_0 != "north":
         yield f"{record.name} is to be read otherwise than Terrain3D reads it"
     if record.name not in whole:
         return
+    wanted = len(layout.rows_at), len(layout.cols_at), 1
     try:
-        values = read_image(whole[record.name])
+        with open_rows(whole[record.name]) as image:
+            if image.shape != wanted or (record.height, record.width) != wanted[:2] or image.dtype != np.float32:
+                yield f"{record.name} holds {image.shape} samples of {image.dtype}; {wanted} floats were said"
+                return
+            blocks = ((rows, image.read(rows)[..., 0]) for rows in row_slices(*wanted[:2]))
+            yield from check_floats(manifest, record, blocks, manifest.world.sea_level_m)
     except BadInput as error:
         yield str(error)
-        return
-    wanted = len(layout.rows_at), len(layout.cols_at), 1
-    if values.shape != wanted or (record.height, record.width) != wanted[:2] or values.dtype.name != "float32":
-        yield f"{record.name} holds {values.shape} samples of {values.dtype}; {wanted} floats were said"
-        return
-    sea, allowed_m = manifest.world.sea_level_m, (record.max_error + SLACK_CM) / 100
-    yield from check_range(manifest, record, float(values.min()) + sea, float(values.max()) + sea, allowed_m)
-    yield from check_probes(manifest, record, lambda row, col: float(values[row, col, 0]) + sea, allowed_m)

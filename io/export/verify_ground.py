@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from pathlib import Path
 
 import numpy as np
@@ -131,6 +131,17 @@ def check_range(manifest: Manifest, record: FileRecord, low: float, high: float,
             f"{record.name} decodes to {float(low):.4f} … {float(high):.4f} m, "
             f"the level has {world.height_min_m:.4f} … {world.height_max_m:.4f} m"
         )
+
+
+def check_floats(manifest: Manifest, record: FileRecord, blocks: Iterable[maps.Block], sea_m: float) -> Iterator[str]:
+    """Range and probes of a walk over all rows of a ground in metres over `sea_m`, north row first."""
+    low, high, lines, asked = np.inf, -np.inf, {}, {probe.row for probe in manifest.probes}
+    for rows, values in blocks:
+        low, high = np.fmin(low, values.min()), np.fmax(high, values.max())
+        lines |= {row: values[row - rows.start].copy() for row in asked if rows.start <= row < rows.stop}
+    allowed_m = (record.max_error + SLACK_CM) / 100
+    yield from check_range(manifest, record, float(low) + sea_m, float(high) + sea_m, allowed_m)
+    yield from check_probes(manifest, record, lambda row, col: float(lines[row][col]) + sea_m, allowed_m)
 
 
 def check_probes(manifest: Manifest, record: FileRecord, height_at: Callable, allowed_m: float) -> Iterator[str]:

@@ -11,6 +11,7 @@ from ...level import BadInput
 from .codes import CODES, decoded
 from .map_makers import MapRow
 from .map_rows import MAPS
+from .maps import picked, row_slices
 from .records import FileRecord, Manifest
 
 SLACK = 1e-6
@@ -55,23 +56,26 @@ def _check(manifest: Manifest, record: FileRecord, whole: dict[str, Path], row: 
 
 
 def _bytes(manifest: Manifest, record: FileRecord, path: Path, how: tuple) -> Iterator[str]:
-    from ..images import read_image
+    from ..image_rows import open_rows
 
+    probes = [p for p in manifest.map_probes if p.file == record.name]
+    inside = [p for p in probes if 0 <= p.row < record.height and 0 <= p.col < record.width]
     try:
-        samples = read_image(path)
+        with open_rows(path) as image:
+            rows, cols, channels = image.shape
+            if (rows, cols) != (record.height, record.width) or image.dtype.name != record.sample_type:
+                yield f"{record.name} holds {cols} × {rows} samples of {image.dtype}; other were said"
+                return
+            if not inside or len(inside) != len(probes):
+                yield f"the manifest has no probes that lie on {record.name}"
+                return
+            blocks = ((block, image.read(block)) for block in row_slices(rows, cols * channels))
+            samples = picked(blocks, [p.row for p in inside], [p.col for p in inside])
     except BadInput as error:
         yield str(error)
         return
-    if samples.shape[:2] != (record.height, record.width) or samples.dtype.name != record.sample_type:
-        yield f"{record.name} holds {samples.shape[1]} × {samples.shape[0]} samples of {samples.dtype}; other were said"
-        return
-    probes = [p for p in manifest.map_probes if p.file == record.name]
-    inside = [p for p in probes if 0 <= p.row < record.height and 0 <= p.col < record.width]
-    if not inside or len(inside) != len(probes):
-        yield f"the manifest has no probes that lie on {record.name}"
-        return
     truth = np.array([p.values for p in inside])
-    found = decoded(samples[[p.row for p in inside], [p.col for p in inside]][:, : truth.shape[1]], *how)
+    found = decoded(samples[:, : truth.shape[1]], *how)
     allowed = np.array([c.max_error for c in record.channels]) + SLACK * np.maximum(np.abs(truth), 1)
     over = (np.abs(found - truth) - allowed).max(-1)
     worst = int(over.argmax())

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -14,23 +15,34 @@ from .common import NAMES, check_common
 from .raw import R16_FORMULA, decode_r16
 from .records import FileRecord, Manifest
 from .verify_flow import check_flow
-from .verify_ground import SLACK_CM, check_probes, check_range, check_step
+from .verify_ground import SLACK_CM, check_floats, check_probes, check_range, check_step
+
+
+@dataclass(frozen=True)
+class Ground:
+    """Exact heights `(rows, cols)`, north first, metres, that are read some rows at a time."""
+
+    shape: tuple[int, int]
+    walk: Callable[[Iterable[slice]], Iterator[maps.Block]]
+
+    def blocks(self) -> Iterator[maps.Block]:
+        return self.walk(maps.row_slices(*self.shape))
 
 
 def check_raw(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     """Findings about raw files: each against the probes, the 16 bits and the mesh against the float map."""
     findings: list[str] = []
-    ground: np.ndarray | None = None  # north first, metres, exact
+    ground: Ground | None = None
     own = [record for record in manifest.files if record.map not in NAMES]
     by_suffix = {Path(record.name).suffix: record for record in own}
     unknown = sorted(set(by_suffix) - {".r16", ".exr", ".vti", ".glb", ".tif", ".png"})
     if unknown or len(by_suffix) != len(own):
         findings.append("the manifest lists files that are no part of a raw export")
-    for suffix, read in ((".exr", _read_exr), (".vti", _read_vti)):
+    for suffix, open_ground in ((".vti", _open_vti), (".exr", _open_exr)):
         if suffix in by_suffix and by_suffix[suffix].name in whole:
-            found, values = _exact(manifest, by_suffix[suffix], whole, read)
+            found, exact = _exact(manifest, by_suffix[suffix], whole, open_ground)
             findings += found
-            ground = values if values is not None and not found else ground
+            ground = None if found else exact  # one of them in memory at a time
     if ".r16" in by_suffix:
         findings += _raw_words(manifest, by_suffix[".r16"], whole, ground)
     if ".glb" in by_suffix:
@@ -60,33 +72,35 @@ def _sky(record: FileRecord, whole: dict[str, Path]) -> Iterator[str]:
         yield f"{record.name} holds {samples.min()} to {samples.max()}, the painted sky is {row.low} to {row.high}"
 
 
-def _read_exr(path: Path) -> np.ndarray:
-    from ..images import read_image
+def _open_exr(path: Path) -> Ground:
+    from ..image_rows import open_rows, read_rows
 
-    return read_image(path)[..., 0]
+    with open_rows(path) as image:
+        shape = image.shape[:2]
+    return Ground(shape, lambda slices: ((rows, samples[..., 0]) for rows, samples in read_rows(path, slices)))
 
 
-def _read_vti(path: Path) -> np.ndarray:
+def _open_vti(path: Path) -> Ground:
     image = meshes.read_vti(path)
     cols, rows, _ = image.dimensions
-    return np.asarray(image.point_data["height"]).reshape(rows, cols)[::-1]
+    height = np.asarray(image.point_data["height"]).reshape(rows, cols)[::-1]
+    return Ground(height.shape, lambda slices: ((rows, height[rows]) for rows in slices))
 
 
-def _exact(manifest: Manifest, record: FileRecord, whole: dict[str, Path], read: Callable):
-    """(findings, height north first) of a file that should hold the level's samples themselves."""
+def _exact(manifest: Manifest, record: FileRecord, whole: dict[str, Path], open_ground: Callable[[Path], Ground]):
+    """(findings, the ground) of a file that should hold the level's samples themselves."""
     source = manifest.source
     try:
-        values = read(whole[record.name])
+        ground = open_ground(whole[record.name])
+        if ground.shape != (source.rows, source.cols) or (record.height, record.width) != ground.shape:
+            rows, cols = ground.shape
+            return [f"{record.name} holds {cols} × {rows} samples, the level has another size"], None
+        return [*check_floats(manifest, record, ground.blocks(), 0.0)], ground
     except BadInput as error:
         return [str(error)], None
-    if values.shape != (source.rows, source.cols) or (record.height, record.width) != values.shape:
-        return [f"{record.name} holds {values.shape[1]} × {values.shape[0]} samples, the level has another size"], None
-    allowed_m = (record.max_error + SLACK_CM) / 100
-    found = [*check_range(manifest, record, values.min(), values.max(), allowed_m)]
-    return [*found, *check_probes(manifest, record, lambda row, col: values[row, col], allowed_m)], values
 
 
-def _raw_words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground) -> Iterator[str]:
+def _raw_words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground: Ground | None) -> Iterator[str]:
     world, numbers = manifest.world, record.decode.numbers
     low, high = world.height_min_m, world.height_max_m
     if record.decode.formula != R16_FORMULA or numbers != {"min_m": low, "max_m": high}:
@@ -101,13 +115,14 @@ def _raw_words(manifest: Manifest, record: FileRecord, whole: dict[str, Path], g
     if before or ground is None or record.name not in whole:
         return
     words = maps.open_u16(whole[record.name], record.height, record.width)
-    blocks, truth = maps.row_blocks(words), maps.row_blocks(ground)
-    error_cm = 100 * maps.largest_difference(blocks, truth, lambda values: decode_r16(values, low, high))
+    error_cm = 100 * maps.largest_difference(
+        maps.row_blocks(words), ground.blocks(), lambda values: decode_r16(values, low, high)
+    )
     if abs(error_cm - record.max_error) > SLACK_CM:
         yield f"{record.name} is {error_cm:.6f} cm off the float map; the manifest says {record.max_error:.6f} cm"
 
 
-def _mesh(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground) -> Iterator[str]:
+def _mesh(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground: Ground | None) -> Iterator[str]:
     """Counts, extent, upward unit normals, and every vertex against the ground at its place."""
     if record.name not in whole:
         return
@@ -133,7 +148,7 @@ def _mesh(manifest: Manifest, record: FileRecord, whole: dict[str, Path], ground
     cell = manifest.source.cell_m
     row = np.clip(np.rint((north + positions[:, 2]) / cell), 0, ground.shape[0] - 1).astype(int)
     col = np.clip(np.rint(positions[:, 0] / cell), 0, ground.shape[1] - 1).astype(int)
-    error_cm = 100 * float(np.abs(positions[:, 1] - ground[row, col]).max())
+    error_cm = 100 * float(np.abs(positions[:, 1] - maps.picked(ground.blocks(), row, col)).max())
     if not error_cm <= record.max_error + SLACK_CM:
         yield f"{record.name} is {error_cm:.4f} cm off the ground; the manifest promises {record.max_error:.4f} cm"
 

@@ -11,11 +11,9 @@ from functools import reduce
 import numpy as np
 
 from ...level import Grid, Rect
+from ...level.open_sky import STEPS, steps
 from ..frame import Frame
 
-REACH_M = 80.0  # along the longer axis
-LEAST_CELLS = 4
-STEPS = 11
 KEPT = 2  # maps of different sizes: what moves and what stands still may differ in tier
 
 
@@ -45,11 +43,6 @@ def draw(frame: Frame) -> None:
         _work_out(frame, held, reduce(Rect.union, changed))
     held.key, held.revision = key, level.revision
     frame.textures["u_openness"] = held.texture
-
-
-def steps(cell_m: float) -> np.ndarray:
-    """Whole cells after which heights are looked up: from one to REACH_M (or a few cells), each a share farther."""
-    return np.round(np.geomspace(1, max(REACH_M / cell_m, LEAST_CELLS), STEPS)).astype(np.float32)
 
 
 def touched(size: tuple[int, int], grid: Grid, changed: Rect) -> tuple[int, int, int, int]:
