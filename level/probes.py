@@ -14,11 +14,12 @@ from .gerstner import groups
 from .level import Level
 from .objects import Probe
 from .pick import ground_at
+from .pins import pinned
 from .river_water import river_at
 from .shore import shore_map
 from .tide import band_m
 from .waves import sea_at
-from .weather_keys import keys_of
+from .weather_keys import whole_keys
 
 EXACT_S = 2.5e-4
 GOLDEN = (np.sqrt(5.0) - 1) / 2
@@ -36,13 +37,19 @@ def probes_of(level: Level) -> list[Probe]:
 def heights_at(level: Level, times, x, y) -> np.ndarray:
     """Height of the surface in metres, arrays that broadcast: seconds, and world x, y."""
     times, x, y = np.broadcast_arrays(*(np.asarray(v, np.float64) for v in (times, x, y)))
-    if keys_of(level):  # each moment is a level of its own
+    if _each_its_own(level, times.max(initial=-np.inf)):
         found = [float(sea_at(level, float(t), a, b).height_m) for t, a, b in zip(times.flat, x.flat, y.flat)]
         return np.array(found).reshape(times.shape)
     flat = [values.ravel() for values in (times, x, y)]
     parts = [slice(i, i + AT_ONCE) for i in range(0, times.size, AT_ONCE)]
     found = [sea_at(level, flat[0][part], flat[1][part], flat[2][part]).height_m for part in parts]
     return np.concatenate([*found, np.zeros(0)]).reshape(times.shape)
+
+
+def _each_its_own(level: Level, latest_s: float) -> bool:
+    """Whether moments up to a time can't be asked at once: weather has changed, or pins stand over a sea that moves."""
+    changed = any(key.time_s < latest_s for key in whole_keys(level))
+    return changed or (level.settings.tide.on and bool(pinned(level)))
 
 
 def shortest_period_s(level: Level) -> float:

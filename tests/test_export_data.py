@@ -57,7 +57,7 @@ THINGS = (
     PointLight(id="lamp", x=33, y=50, z=9, orbit_m=2), Hit(id="drop", x=5, y=6), Mover(id="wader", x=50, y=12),
     Prop(id="crate", mesh="block", x=30, y=50, z=5, yaw_deg=90, scale=2),
     Prop(id="raft", mesh="block", x=25, y=10, floats=True, scale=3, density=0.5),
-    Probe(id="deep", x=35, y=8), Probe(id="swash", x=35, y=32.5), Pin(id="here", x=60, y=8, time_s=4),
+    Probe(id="deep", x=35, y=8), Probe(id="swash", x=35, y=32.5),
     River(id="beck", x=60, y=58, points=FALL),
     WeatherKey(id="gale", time_s=20, fade_s=30, weather="gale"), WeatherKey(id="squall", x=9, time_s=90, radius_m=500),
     Shot(id="dusk", start_s=5, end_s=9), Marker(id="now", time_s=2.5),
@@ -74,7 +74,7 @@ def coast():
     for path, value in {
         "level.sea_level_m": SEA_M, "tide.on": True, "tide.period_s": 60.0, "tide.high_s": 10.0, "tide.range_m": 0.4,
         "tide.curve": (0.0, 1.0, 0.4, 0.0, 0.7, 0.3), "light.sun_from": "date", "light.day_rate": 600.0,
-        "time.loop_end_s": 8.0, "sea.chop_length_m": 40.0, "shore.interval_s": 4.0,
+        "time.loop_end_s": 8.0,
     }.items():  # fmt: skip
         level.set(path, value)
     return level
@@ -192,7 +192,7 @@ def test_every_kind_is_in_one_file_with_its_parameters(written, level):
     """All objects, each in one list, with what they were given."""
     _, folder = written
     objects, keys = read(folder, "objects"), read(folder, "keys")
-    assert {thing.kind for thing in THINGS} == set(OBJECT_KINDS)
+    assert {"pin", *(thing.kind for thing in THINGS)} == set(OBJECT_KINDS)
     assert {*OBJECT_KINDS} & {*objects} == {*OBJECT_KINDS} - {*IN_TIME}
     assert {*OBJECT_KINDS} & {*keys} == {*IN_TIME}
     for thing in THINGS:
@@ -202,6 +202,17 @@ def test_every_kind_is_in_one_file_with_its_parameters(written, level):
         }
         skipped = {"x", "y"} if thing.placeless else set()
         assert {key: row[key] for key in told.keys() - skipped} == {key: told[key] for key in told.keys() - skipped}
+
+
+def test_a_pin_is_told(tmp_path):
+    """Alone: over a tide that moves, pins make probes slow."""
+    level = Level(Grid(9, 9), np.full((9, 9), -3, np.float32))
+    level.put_object("here", Pin(id="here", x=6, y=8, time_s=4))
+    export(level, "unreal", tmp_path / "out", "objects", name="bay")
+    (row,) = read(tmp_path / "out", "objects")["pin"]
+    assert row["time_s"] == 4
+    assert numbers(row["engine"]) == (600, 0, 0)
+    assert check(tmp_path / "out") == []
 
 
 # Known numbers: the camera stands at x 10, y 20, 6 m over the sea, and looks east and 30° up

@@ -9,6 +9,7 @@ annotations of our own, which validators pass over.
 from __future__ import annotations
 
 import json
+from functools import lru_cache
 from typing import Any
 
 from pydantic import BaseModel, Field
@@ -40,6 +41,7 @@ def schema(name: str) -> dict[str, Any]:
     return {"$schema": DIALECT, "$id": f"urn:shorewright:{name}:{version}", "title": f"Shorewright {name}", **made}
 
 
+@lru_cache(32)
 def schema_text(name: str) -> str:
     return json.dumps(schema(name), indent=1, ensure_ascii=False, allow_nan=False) + "\n"
 
