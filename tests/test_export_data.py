@@ -293,6 +293,12 @@ def test_a_raft_floats_where_the_level_says(unity, level):
     assert raft["draft_m"] == pytest.approx(pose.draft_m)
     assert len(raft["hull"]) == 15
     assert raft["high"]["z"] - raft["low"]["z"] == pytest.approx(2 * raft["draft_m"])
+    line = raft["low"]["z"] + raft["draft_m"]
+    assert len(raft["lid"]) >= 4
+    for corner in raft["lid"]:
+        assert line < corner["z"] < raft["high"]["z"]
+        assert abs(corner["x"]) < raft["high"]["x"]
+    assert by_id(read(unity, "objects"), "prop", "crate")["lid"] == []
 
 
 def test_the_curve_of_a_river_follows_from_its_points(unity):

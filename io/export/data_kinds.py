@@ -93,6 +93,18 @@ def _hull(level: Level, frame: Frame, prop) -> list[dict[str, float]]:
     return [{"x": x, "y": y} for x, y in clean(hull_points(level, prop)).tolist()] if prop.floats else []
 
 
+def _lid(level: Level, frame: Frame, prop) -> list[dict[str, float]]:
+    from ...level.buoyancy import draft_of
+    from ...level.hull_lid import lid
+    from ...level.meshes import mesh_of
+
+    if not (prop.floats and prop.dry):
+        return []
+    mesh = mesh_of(level, prop)
+    found = lid(mesh, round(float(mesh.box[0, 2]) + draft_of(level, prop) / prop.scale, 6))
+    return [vector(corner) for corner in clean(prop.scale * found.vertices)] if found else []
+
+
 def _draft(level: Level, frame: Frame, prop) -> float:
     from ...level.buoyancy import draft_of
 
@@ -151,6 +163,8 @@ FACTS: tuple[Fact, ...] = (
     Fact("prop", "high", Vector, "Highest corner.", _box(1)),
     Fact("prop", "hull", list[HullPoint], "Points under it: it lies on the plane of least squares through the water's "
          "height less draft_m at these, its underside (low.z) on that plane; no point gets under the ground.", _hull),
+    Fact("prop", "lid", list[Vector], "Corners of a flat lid inside it, over its water line, in the mesh's axes: "
+         "through it one sees the hull's inside: draw no sea there. None: it is no open hull, or not dry.", _lid),
 )  # fmt: skip
 
 
