@@ -26,6 +26,8 @@ from .water_objects import (
 
 
 class Camera(Placed):
+    """A place to look from, and how."""
+
     kind: Literal["camera"] = "camera"
     z: float = param(20.0, -1e5, 1e5, "m", "Up, from height zero of the level.")
     yaw_deg: float = param(0.0, -360, 360, "°", "Where it looks, clockwise from north.")

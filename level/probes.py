@@ -2,6 +2,7 @@
 
 heights_at(level, times, x, y)                # metres, any number of times and points at once
 crest_times(level, probe, 0.0, 60.0)          # [(seconds, metres)], each within a millisecond
+wet_times(level, probe, 0.0, 60.0)            # [(seconds, metres, "wet" or "dry")], likewise
 """
 
 from __future__ import annotations
@@ -12,14 +13,20 @@ from scipy.signal import find_peaks
 from .gerstner import groups
 from .level import Level
 from .objects import Probe
+from .pick import ground_at
+from .pins import pinned
+from .river_water import river_at
+from .shore import shore_map
+from .tide import band_m
 from .waves import sea_at
-from .weather_keys import keys_of
+from .weather_keys import whole_keys
 
 EXACT_S = 2.5e-4
 GOLDEN = (np.sqrt(5.0) - 1) / 2
 SAMPLES = 14  # of the shortest wave's period, enough to see each crest
 MOST_SAMPLES = 200_000
 AT_ONCE = 4096
+WET_M = 0.01  # of water over the ground: less is a film
 
 
 def probes_of(level: Level) -> list[Probe]:
@@ -30,13 +37,19 @@ def probes_of(level: Level) -> list[Probe]:
 def heights_at(level: Level, times, x, y) -> np.ndarray:
     """Height of the surface in metres, arrays that broadcast: seconds, and world x, y."""
     times, x, y = np.broadcast_arrays(*(np.asarray(v, np.float64) for v in (times, x, y)))
-    if keys_of(level):  # each moment is a level of its own
+    if _each_its_own(level, times.max(initial=-np.inf)):
         found = [float(sea_at(level, float(t), a, b).height_m) for t, a, b in zip(times.flat, x.flat, y.flat)]
         return np.array(found).reshape(times.shape)
     flat = [values.ravel() for values in (times, x, y)]
     parts = [slice(i, i + AT_ONCE) for i in range(0, times.size, AT_ONCE)]
     found = [sea_at(level, flat[0][part], flat[1][part], flat[2][part]).height_m for part in parts]
     return np.concatenate([*found, np.zeros(0)]).reshape(times.shape)
+
+
+def _each_its_own(level: Level, latest_s: float) -> bool:
+    """Whether moments up to a time can't be asked at once: weather has changed, or pins stand over a sea that moves."""
+    changed = any(key.time_s < latest_s for key in whole_keys(level))
+    return changed or (level.settings.tide.on and bool(pinned(level)))
 
 
 def shortest_period_s(level: Level) -> float:
@@ -93,3 +106,48 @@ def events(level: Level, t0: float, t1: float) -> list[dict]:
         for time_s, height_m in crest_times(level, probe, t0, t1)
     ]
     return sorted(rows, key=lambda row: (row["time_s"], row["probe"]))
+
+
+def wet_and_dry(level: Level, t0: float, t1: float) -> list[dict]:
+    """When the ground at every probe comes under water and out of it, from t0 to t1: rows as those of `events`."""
+    rows = [
+        {"probe": probe.id, "time_s": round(time_s, 4), "height_m": round(height_m, 4), "kind": kind}
+        for probe in probes_of(level)
+        for time_s, height_m, kind in wet_times(level, probe, t0, t1)
+    ]
+    return sorted(rows, key=lambda row: (row["time_s"], row["probe"]))
+
+
+def wet_times(level: Level, probe: Probe, t0: float, t1: float) -> list[tuple[float, float, str]]:
+    """Moments (seconds, metres of the water, "wet" or "dry") from t0 to t1 at which WET_M of water come or go."""
+    if not t1 > t0 or not _reached(level, probe):
+        return []
+    step = max(shortest_period_s(level) / SAMPLES, (t1 - t0) / MOST_SAMPLES)
+    times = np.linspace(t0, t1, int(np.ceil((t1 - t0) / step)) + 1)
+    under = _over_ground_m(level, probe, times) >= WET_M
+    turns = np.flatnonzero(under[1:] != under[:-1])
+    low, high, comes = times[turns], times[turns + 1], under[turns + 1]
+    while len(turns) and (high - low).max() > EXACT_S:
+        middle = 0.5 * (low + high)
+        past = (_over_ground_m(level, probe, middle) >= WET_M) == comes
+        low, high = np.where(past, low, middle), np.where(past, middle, high)
+    heights = heights_at(level, high, probe.x, probe.y)
+    return [(float(t), float(h), "wet" if wet else "dry") for t, h, wet in zip(high, heights, comes)]
+
+
+def is_wet(level: Level, probe: Probe, t: float) -> bool:
+    """Whether WET_M of water or more stand over the ground at a probe."""
+    return _reached(level, probe) and bool(_over_ground_m(level, probe, np.array([t]))[0] >= WET_M)
+
+
+def _over_ground_m(level: Level, probe: Probe, times: np.ndarray) -> np.ndarray:
+    ground_m = ground_at(level, np.array([probe.x]), np.array([probe.y]))
+    return heights_at(level, times, probe.x, probe.y) - ground_m
+
+
+def _reached(level: Level, probe: Probe) -> bool:
+    """Whether sea or river ever come there: a hollow inland below the sea's level is dry."""
+    at = np.array([probe.x]), np.array([probe.y])
+    river = river_at(level, 0.0, *at)
+    comes = shore_map(level).at(*at, band_m(level.settings)[1])["sea"].v[0] > 0
+    return bool(comes or (river is not None and river.share[0] > 0))

@@ -46,7 +46,7 @@ def fronts_at(level: Level, time_s: float) -> list[Fronts]:
 
 def _fronts(level: Level, time_s: float) -> list[Fronts]:
     keys, seed = whole_keys(level), level.settings.level.seed
-    if not any(key.time_s < time_s for key in keys):
+    if not any(np.any(key.time_s < time_s) for key in keys):
         return groups(base_settings(level).sea if keys else level.settings.sea, seed)
     states = [_groups(sea, seed) for sea in seas(level)]
     return [_group([state[n] for state in states], keys, turns, time_s) for n, turns in enumerate(TURNS)]

@@ -88,7 +88,7 @@ def _looped(settings: Settings, loop_s: float) -> Settings:
 def _keyed(level: Level, time_s: float) -> Level:
     """A level as its keys make it at a time; itself where none has begun."""
     keys = whole_keys(level)
-    begun = [key for key in keys if key.time_s < time_s]
+    begun = [key for key in keys if np.any(key.time_s < time_s)]
     if not begun:
         return level
     changed: dict[str, dict] = {}

@@ -7,10 +7,11 @@ import pytest
 from coasts import make_beach
 from shorewright.app import time_edits
 from shorewright.app.session import Session
-from shorewright.level import BadInput
+from shorewright.level import BadInput, Rect
 from shorewright.level.gerstner import groups
-from shorewright.level.objects import Probe
-from shorewright.level.probes import crest_times, events, heights_at
+from shorewright.level.objects import Pin, Probe, WeatherKey
+from shorewright.level.pick import ground_at
+from shorewright.level.probes import crest_times, events, heights_at, is_wet, wet_and_dry, wet_times
 from shorewright.level.waves import sea_at
 
 
@@ -39,9 +40,23 @@ def alone(monkeypatch, level, front=0):
 def test_many_times_at_once_are_those_one_by_one():
     """T06: an array of times gives what single ones give, with tide and loop too."""
     level = make_beach(slope=0.05)
-    for settings in ({}, {"tide.on": True, "tide.period_s": 40.0}, {"time.loop_s": 24.0}):
+    for settings in (
+        {},
+        {"tide.on": True, "tide.period_s": 40.0},
+        {"time.loop_s": 24.0},
+        {"first": 300.0},
+        {"first": 9},
+        {"pin": 1},
+    ):
         for name, value in settings.items():
-            level.set(name, value)
+            if name == "pin":  # over the tide each moment has its own
+                level.put_object("gale", None)
+                level.put_object("pin", Pin(id="pin", x=60.0, y=30.0, time_s=value))
+            elif name == "first":  # a key that comes after all of them, and one among them
+                level.put_object("gale", WeatherKey(id="gale", time_s=value, weather="gale"))
+                level.put_object("squall", WeatherKey(id="squall", time_s=1, weather="storm", radius_m=90))
+            else:
+                level.set(name, value)
         times = np.array([0.0, 3.3, 17.0, 250.0])
         x, y = np.array([20.0, 40.0, 60.0, 60.0]), np.array([30.0, 60.0, 61.0, 64.0])
         single = [float(sea_at(level, float(t), a, b).height_m) for t, a, b in zip(times, x, y)]
@@ -75,6 +90,35 @@ def test_shore_waves_come_once_an_interval():
     assert np.allclose(np.diff(times), level.settings.shore.interval_s, atol=1e-3)
     assert len(times) in (5, 6)
     assert crest_times(level, probe.model_copy(update={"y": 190.0}), 10.0, 60.0) == []
+
+
+def test_a_beach_gets_wet_and_dry_once_a_wave():
+    """T06: by turns, an interval apart, at a centimetre of water; never far up, nor in a hollow behind the beach."""
+    level = make_beach(rows=193, cols=129, slope=0.05)
+    for name, value in {"sea.on": False, "shore.variety": 0.0}.items():
+        level.set(name, value)
+    level.write("height", Rect(150, 50, 160, 60), -2.0)
+    swash = Probe(id="swash", x=60.0, y=102.0)
+    found = wet_times(level, swash, 5.0, 50.0)
+    assert [kind for _, _, kind in found] == [
+        ["dry", "wet"][(n + (found[0][2] == "wet")) % 2] for n in range(len(found))
+    ]
+    assert len(found) in (10, 9, 11)
+    for kind in ("wet", "dry"):
+        assert np.allclose(np.diff([t for t, _, k in found if k == kind]), level.settings.shore.interval_s, atol=2e-3)
+    ground_m = float(ground_at(level, np.array([60.0]), np.array([102.0]))[0])
+    for time_s, height_m, kind in found:
+        before, after = heights_at(level, [time_s - 0.01, time_s + 0.01], 60.0, 102.0) - ground_m >= 0.01
+        assert (before, after) == ((False, True) if kind == "wet" else (True, False))
+        assert is_wet(level, swash, time_s + 0.01) == (kind == "wet")
+        if kind == "wet":
+            assert height_m > ground_m
+    for place in ({"y": 190.0}, {"x": 55.0, "y": 155.0}, {"y": 20.0}):
+        probe = swash.model_copy(update=place)
+        assert wet_times(level, probe, 5.0, 50.0) == []
+        assert is_wet(level, probe, 5.0) == (place == {"y": 20.0})
+    level.put_object("swash", swash)
+    assert [row["kind"] for row in wet_and_dry(level, 5.0, 50.0)] == [kind for _, _, kind in found]
 
 
 def test_events_are_written_whole_or_not_at_all(tmp_path):

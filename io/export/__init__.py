@@ -7,12 +7,13 @@ findings = check("out/cove_unreal")          # [] when every byte decodes to wha
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from ...level import BadInput, Level
-from . import godot, godot_project, raw, unity, unreal
+from . import common, godot, godot_project, raw, unity, unreal
 from .earlier import earlier_export
 from .folder import staged
 from .job import Cancelled, Exporter, Job, Told, file_stem
@@ -22,7 +23,7 @@ from .verify import check
 __all__ = ["EXPORTERS", "Cancelled", "Exporter", "check", "export", "file_stem"]
 
 EXPORTERS: dict[str, Exporter] = {
-    row.name: row
+    row.name: replace(row, groups=common.GROUPS)
     for row in (
         Exporter(
             "unreal",
@@ -92,9 +93,10 @@ def export(
 ) -> list[Path]:
     """Write the files of a target into `out_dir` and return their paths, the manifest last.
 
-    `name` (a level folder's name will do) begins every file name; `only` picks maps. `resample` makes the longer side a
-    legal size of the target, `tile` cuts the level into squares of that many samples a side. The folder appears whole
-    or not at all and then holds exactly what its manifest lists; files that would come out the same are kept.
+    `name` (a level folder's name will do) begins every file name; `only` picks maps, or groups of them. `resample`
+    makes the longer side a legal size of the target, `tile` cuts the level into squares of that many samples a side.
+    The folder appears whole or not at all and then holds exactly what its manifest lists; files that would come out
+    the same are kept.
     `progress` is told the share done and what comes next, and stops the export with Cancelled by returning False.
     BadInput: unknown target or map, a level the target cannot hold, a folder with other things in it, a disk that
     refuses.

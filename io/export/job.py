@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -68,6 +68,7 @@ class Exporter:
     """A target: `maps` are the (name, sentence) pairs that `only` picks from; `function` writes and describes files.
 
     `sizes` are the sides that its height maps may have, () for any; `tiles` says whether it takes several of them.
+    `groups` are words of `only` that stand for several maps.
     """
 
     name: str
@@ -77,15 +78,19 @@ class Exporter:
     function: Callable[[Job], Manifest]
     sizes: tuple[int, ...] = ()
     tiles: bool = False
+    groups: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
     def choose(self, only: Iterable[str] | str | None) -> frozenset[str]:
         """The names in `only`, all of them for None; BadInput lists the names when one is unknown."""
         names = [name for name, _ in self.maps]
-        wanted = names if only is None else [only] if isinstance(only, str) else list(only)
+        asked = names if only is None else [only] if isinstance(only, str) else list(only)
+        wanted = [name for word in asked for name in self.groups.get(word, (word,))]
         unknown = [name for name in wanted if name not in names]
         if unknown or not wanted:
             asked = ", ".join(map(repr, unknown)) or "nothing"
-            raise BadInput(f"the {self.name} export has no map called {asked}; it has: {', '.join(names)}")
+            raise BadInput(
+                f"the {self.name} export has no map called {asked}; it has: {', '.join([*self.groups, *names])}"
+            )
         return frozenset(wanted)
 
     def options(self, resample: bool, tile: int | None) -> Options:

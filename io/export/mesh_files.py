@@ -10,7 +10,7 @@ from .earlier import Piece
 from .job import Job
 from .manifest import describe_file
 from .mesh_glb import AXES, Part, ReadPart, read_parts, write_parts
-from .mesh_places import NORTH, MeshPlace
+from .mesh_places import NORTH, SEA, MeshPlace
 from .mesh_rows import MESHES, MeshRow
 from .records import Channel, Decode, FileRecord, MeshPart
 
@@ -29,8 +29,8 @@ def _piece(job: Job, row: MeshRow, place: MeshPlace) -> Piece:
 def write_mesh(job: Job, row: MeshRow, parts: list[Part], off_m: float, place: MeshPlace) -> FileRecord:
     """One GLB; `max_error` is of its bytes, how far thinning is off the ground stands in its parts."""
     path = job.folder / f"{job.name}_{row.name}.glb"
-    north = job.level.grid.extent_m[1]
-    write_parts(path, parts, row.name, row.colour, place.matrix(north))
+    numbers = {NORTH: job.level.grid.extent_m[1], SEA: job.level.sea_level_m}
+    write_parts(path, parts, row.name, row.colour, place.matrix(numbers))
     back = read_parts(path)
     wanted = [(part.positions @ AXES.T).astype(np.float32) for part in parts]
     error_m = max(
@@ -47,7 +47,7 @@ def write_mesh(job: Job, row: MeshRow, parts: list[Part], off_m: float, place: M
         sample_type="float32",
         row_0=None,
         channels=_channels(row),
-        decode=Decode(formula=place.formula, numbers={NORTH: north}),
+        decode=Decode(formula=place.formula, numbers=numbers),
         max_error=100 * error_m,
         parts=tuple(told),
     )

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...level import BadInput
 from .mesh_glb import ReadPart, read_parts
-from .mesh_places import NORTH, PLACES
+from .mesh_places import NORTH, PLACES, SEA
 from .mesh_rows import MESHES
 from .records import FileRecord, Manifest, MeshPart
 
@@ -23,7 +23,7 @@ def check_meshes(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
 
 def _check(record: FileRecord, whole: dict[str, Path]) -> Iterator[str]:
     place = next((row for row in PLACES.values() if row.formula == record.decode.formula), None)
-    if place is None or NORTH not in record.decode.numbers:
+    if place is None or {NORTH, SEA} - record.decode.numbers.keys():
         yield f"{record.name} is to be placed by a formula that this program doesn't know"
         return
     if record.name not in whole:
@@ -36,7 +36,7 @@ def _check(record: FileRecord, whole: dict[str, Path]) -> Iterator[str]:
     if [part.name for part in parts] != [part.name for part in record.parts]:
         yield f"{record.name} holds other meshes than the manifest says"
         return
-    if any((part.placed != place.matrix(record.decode.numbers[NORTH])).any() for part in parts):
+    if any((part.placed != place.matrix(record.decode.numbers)).any() for part in parts):
         yield f"{record.name}: its root stands elsewhere than the manifest says"
     for part, stated in zip(parts, record.parts, strict=True):
         wrong = _wrong(part, stated)
