@@ -222,14 +222,14 @@ CAMERA = {
     "unity": ((10, 6, 20), (0.75**0.5, 0.5, 0), (-0.5, 0.75**0.5, 0)),
     "godot": ((10, 6, 40), (0.75**0.5, 0.5, 0), (-0.5, 0.75**0.5, 0)),
 }
-CAMERA["godot-hterrain"] = CAMERA["godot"]
+CAMERA["godot-hterrain"] = CAMERA["godot-project"] = CAMERA["godot"]
 LOOKS = {"raw": ((0, 1, 0), (0, 0, 1)), "unreal": ((1, 0, 0), (0, 0, 1)), "unity": ((0, 0, 1), (0, 1, 0)),
          "godot": ((0, 0, -1), (0, 1, 0))}  # fmt: skip
-LOOKS["godot-hterrain"] = LOOKS["godot"]
+LOOKS["godot-hterrain"] = LOOKS["godot-project"] = LOOKS["godot"]
 # a crate that looks east: no turn where that is ahead, else a quarter about the vertical
 HALF = 0.5**0.5
 EAST = {"raw": (0, 0, -HALF, HALF), "unreal": (0, 0, 0, 1), "unity": (0, HALF, 0, HALF), "godot": (0, -HALF, 0, HALF)}
-EAST["godot-hterrain"] = EAST["godot"]
+EAST["godot-hterrain"] = EAST["godot-project"] = EAST["godot"]
 
 
 def numbers(told, letters="xyz"):

@@ -1,9 +1,9 @@
 """Where a GLB stands in each engine: a root node brings the level's meshes to where that engine's terrain lies.
 
 glTF is right-handed, Y up; ours has north at −Z, the level's south-west corner at the origin. Unreal and Godot, whose
-terrains begin at the north-west corner, get it moved by the level's size north. In every engine the sea lies at 0. Importers for Unity (glTFast and
+terrains begin at the north-west corner, get it moved by the level's size north. Importers for Unity (glTFast and
 UnityGLTF, as Babylon's left-handed scenes) negate X, so there it is turned by half a circle first and comes out with X
-east, Z north.
+east, Z north. In every engine the sea lies at 0.
 """
 
 from __future__ import annotations
