@@ -14,9 +14,11 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import Delaunay, cKDTree
 
+from .beach_fit import fitted
 from .beach_uv import Shoreline, charted, shoreline
 from .level import Level
 from .patches import BASE_M, BEACH, PATCH_M, beach_contact, patch_kinds
+from .pick import ground_at
 from .shore_field import shore_field
 
 EAST, NORTH = np.array([1.0, 0.0]), np.array([0.0, 1.0])
@@ -64,13 +66,6 @@ def areas_m2(xy: np.ndarray, triangles: np.ndarray) -> np.ndarray:
     return 0.5 * ((b[:, 0] - a[:, 0]) * (c[:, 1] - a[:, 1]) - (b[:, 1] - a[:, 1]) * (c[:, 0] - a[:, 0]))
 
 
-def ground_at(level: Level, xy: np.ndarray) -> np.ndarray:
-    """Bilinear ground at world points `(n, 2)`, m."""
-    from scipy import ndimage
-
-    return ndimage.map_coordinates(level.height, xy.T[::-1] / level.grid.cell_m, order=1, mode="nearest").astype(float)
-
-
 def beach_mesh(level: Level) -> BeachMeshes | None:
     """The level's beach mesh, kept until anything changes; None where no patch marked beach has a shore."""
     key = level.revision, level.settings
@@ -88,8 +83,10 @@ def _made(level: Level, key: tuple) -> BeachMeshes | None:
         return None
     edges, nodes = _border(cells)
     xy, border = _points(level, line, cells, edges, nodes)
+    clear = cKDTree(edges)
+    xy = fitted(level, xy, lambda at: _triangles(at, cells), lambda at: clear.query(at)[0] > CLEAR_M, _apart)
+    border = np.arange(len(xy)) < border.sum()
     triangles = _triangles(xy, cells)
-    triangles = triangles[areas_m2(xy, triangles) > 1e-9]
     used, triangles = np.unique(triangles, return_inverse=True)
     xy, border, triangles = xy[used], border[used], triangles.reshape(-1, 3)
     bias = _bias(xy, triangles, border)
@@ -100,7 +97,7 @@ def _made(level: Level, key: tuple) -> BeachMeshes | None:
     uv = np.stack([u, (settings.seaward_m - off_m) / across], -1)
     colours = np.stack([bias, _near(settings, off_m), _foam(level, xy), _contact(level, xy)], -1)
     sea = np.full(len(xy), level.mean_sea_m)
-    return BeachMeshes(xy, uv, tangent, colours, triangles, border, sea, ground_at(level, xy), key)
+    return BeachMeshes(xy, uv, tangent, colours, triangles, border, sea, ground_at(level, *xy.T), key)
 
 
 def beach_cells(level: Level) -> np.ndarray:
@@ -183,7 +180,7 @@ def _triangles(xy: np.ndarray, cells: np.ndarray) -> np.ndarray:
     found = found[_inside(cells, xy[found].mean(axis=1))]
     back = areas_m2(xy, found) < 0
     found[back] = found[back][:, ::-1]
-    return found
+    return found[areas_m2(xy, found) > 1e-9]
 
 
 def _bias(xy: np.ndarray, triangles: np.ndarray, border: np.ndarray) -> np.ndarray:

@@ -3,8 +3,10 @@
 import numpy as np
 import pytest
 from coasts import make_beach
+from scipy.spatial import cKDTree
 from shorewright.level import Grid, Level
-from shorewright.level.beach_mesh import beach_cells, beach_mesh
+from shorewright.level.beach_fit import LEAST_M, _misses
+from shorewright.level.beach_mesh import CLEAR_M, _border, beach_cells, beach_mesh
 from shorewright.level.beach_raster import beach_raster
 from shorewright.level.objects import SeaPatch
 from shorewright.level.patches import BASE_M
@@ -56,6 +58,28 @@ def test_no_crack_at_its_border(level):
     np.testing.assert_array_equal(rim, mesh.border)
     assert (mesh.colours[rim, 0] == 1).all()
     assert np.unique(np.column_stack([place, mesh.colours[:, 0]]), axis=0).shape[0] == place.max() + 1  # one bias each
+
+
+def test_sand_follows_rock_within_its_error():
+    """H03: outside the circles round the border's edges none that has room is missed by more than `error_m`."""
+    level = make_beach(rows=161, cols=161)
+    y, x = np.mgrid[0:161, 0:161]
+    for east, north, high_m in ((40, 78, 3.0), (95, 86, 2.0), (120, 70, -1.5)):
+        level.write("height", level.grid.rect, np.float32(
+            level.height + high_m * np.exp(-((x - east) ** 2 + (y - north) ** 2) / 50.0)))  # fmt: skip
+    found = {}
+    for error_m in (20.0, 0.3, 0.1):
+        level.set("beach_mesh.error_m", error_m)
+        mesh = beach_mesh(level)
+        _, places, off_m = _misses(level, mesh.xy, mesh.triangles)
+        middles = _border(beach_cells(level))[0]
+        free = cKDTree(middles).query(places)[0] > CLEAR_M
+        room = cKDTree(mesh.xy).query(places)[0] >= LEAST_M
+        found[error_m] = off_m[free & room].max(), len(mesh.triangles)
+    assert found[20.0][0] > 0.4
+    assert found[0.3][0] <= 0.3
+    assert found[0.1][0] <= 0.1
+    assert found[0.1][1] > found[0.3][1] > found[20.0][1]
 
 
 def test_u_runs_on_within_every_triangle(level):

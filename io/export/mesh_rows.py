@@ -31,7 +31,8 @@ class MeshRow:
 
 def _beach(level: Level) -> tuple[list[Part], float]:
     """`water` and `sand` over one another, the ground's distance from the sand taken at the triangles' middles."""
-    from ...level.beach_mesh import beach_mesh, ground_at
+    from ...level.beach_mesh import beach_mesh
+    from ...level.pick import ground_at
 
     made = beach_mesh(level)
     if made is None:
@@ -45,7 +46,7 @@ def _beach(level: Level) -> tuple[list[Part], float]:
         tangents = tangents_for(normals, way)
         parts.append(Part(name, positions, normals, tangents, made.uv, made.colours, made.triangles))
     middle = made.xy[made.triangles].mean(1)
-    off_m = np.abs(made.ground_m[made.triangles].mean(1) - ground_at(level, middle)).max()
+    off_m = np.abs(made.ground_m[made.triangles].mean(1) - ground_at(level, *middle.T)).max()
     return parts, float(off_m)
 
 
