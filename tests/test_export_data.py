@@ -12,7 +12,7 @@ from jsonschema import Draft202012Validator
 from scipy.interpolate import PchipInterpolator
 from shorewright.io.export import EXPORTERS, check, export
 from shorewright.io.export.common import DATA as NAMES
-from shorewright.io.export.data_axes import AXES
+from shorewright.io.export.data_axes import AXES, Frame
 from shorewright.io.export.data_kinds import IN_TIME
 from shorewright.io.export.data_rows import DATA
 from shorewright.io.export.data_schema import MODELS, schema_text
@@ -274,6 +274,22 @@ def test_the_axes_are_those_of_the_manifest(written):
     assert {*AXES} == {*EXPORTERS}
 
 
+def test_places_lie_on_the_exported_height_map(written, level):
+    """The column and row of a manifest's probe are where the engine's axes have its place; Unity's rows go north."""
+    target, folder = written
+    frame = Frame.of(level, target)
+    manifest = read_manifest(folder)
+    assert len(manifest["probes"]) > 3
+    up, north = (2, 1) if target in ("raw", "unreal") else (1, 2)
+    for probe in manifest["probes"]:
+        truth = np.array([probe["x_m"], probe["y_m"], probe["height_m"]])
+        at = frame.place(truth) / frame.axes.units_per_m
+        row = NORTH_M - at[north] if target == "raw" else at[north]
+        assert (at[0], row) == pytest.approx((probe["col"], probe["row"]), abs=1e-6)
+        assert at[up] == pytest.approx(truth[2] - (SEA_M if target != "raw" else 0), abs=1e-6)
+        assert frame.back(at * frame.axes.units_per_m) == pytest.approx(truth, abs=1e-6)
+
+
 def test_what_has_no_height_lies_on_water_or_ground(unity, level):
     data = read(unity, "objects")
     assert by_id(data, "wave", "wave")["engine"]["y"] == 0
@@ -355,6 +371,7 @@ def test_tracks_give_the_levels_moments(unity, level):
     assert linear(data["tide_track"], "sea_level_m", 10.0) == pytest.approx(SEA_M + 0.2)
     rows = [{"time_s": row["time_s"], "swell": row["settings"]["sea"]["swell_m"], "run": row["wind_run_m"]}
             for row in data["weather_track"]]  # fmt: skip
+    assert [row["time_s"] for row in rows[:3]] == [0, 20, pytest.approx(20 + 30 / 32)]
     swell = [level_at(level, t).settings.sea.swell_m for t in times]
     assert rows[-1] == {
         "time_s": 50,
