@@ -230,6 +230,11 @@ LOOKS["godot-hterrain"] = LOOKS["godot"]
 HALF = 0.5**0.5
 EAST = {"raw": (0, 0, -HALF, HALF), "unreal": (0, 0, 0, 1), "unity": (0, HALF, 0, HALF), "godot": (0, -HALF, 0, HALF)}
 EAST["godot-hterrain"] = EAST["godot"]
+# the camera's turn as each engine makes it of angles: Unreal FRotator(30, 0, 0), Unity Quaternion.Euler(-30, 90, 0),
+# Godot rotation_degrees (30, -90, 0), without an engine 90° clockwise about z after 30° up about x
+S, C = HALF * np.sin(np.pi / 12), HALF * np.cos(np.pi / 12)
+LOOK = {"raw": (S, -S, -C, C), "unreal": (0, -S / HALF, 0, C / HALF), "unity": (-S, C, S, C), "godot": (S, -C, S, C)}
+LOOK["godot-hterrain"] = LOOK["godot"]
 
 
 def numbers(told, letters="xyz"):
@@ -252,6 +257,7 @@ def test_a_camera_stands_and_looks_as_the_engine_has_it(written):
     assert numbers(engine["up"]) == pytest.approx(up)
     for axis, name in zip(LOOKS[target], ("ahead", "up")):
         assert turned(engine["rotation"], np.array(axis, float)) == pytest.approx(numbers(engine[name]), abs=1e-8)
+    assert numbers(engine["rotation"], "xyzw") == pytest.approx(LOOK[target], abs=1e-8)
     crate = by_id(data, "prop", "crate")["engine"]
     assert numbers(crate["rotation"], "xyzw") == pytest.approx(EAST[target], abs=1e-8)
 
