@@ -9,12 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from scipy.spatial import cKDTree
 
 from .level import Level
 from .pick import ground_at
 from .triangle_samples import samples_within
 
-ROUNDS = 16
+ROUNDS = 40
 LEAST_M = 1.5  # no new vertex nearer to another
 MOST = 60_000  # vertices in all
 OfPlaces = Callable[[np.ndarray], np.ndarray]  # of places (n, 2)
@@ -25,15 +26,16 @@ def fitted(level: Level, xy: np.ndarray, triangles: OfPlaces, free: OfPlaces, ap
 
     Only where places are `free(xy)` and stay `apart(new, old, least_m)`: a cliff is as steep as that allows.
     """
-    cell_m, error_m = level.grid.cell_m, level.settings.beach_mesh.error_m
+    error_m, least_m = level.settings.beach_mesh.error_m, max(LEAST_M, level.grid.cell_m)
     for _ in range(ROUNDS):
         which, place, off_m = _misses(level, xy, triangles(xy))
         over = np.flatnonzero(off_m > error_m)
         over = over[free(place[over])]
+        over = over[cKDTree(xy).query(place[over])[0] >= least_m]
         order = over[np.lexsort((-off_m[over], which[over]))]
         worst = order[np.unique(which[order], return_index=True)[1]]
         worst = worst[np.argsort(-off_m[worst], kind="stable")][: max(MOST - len(xy), 0)]
-        added = apart(place[worst], xy, max(LEAST_M, cell_m))
+        added = apart(place[worst], xy, least_m)
         if not len(added):
             break
         xy = np.concatenate([xy, added])

@@ -12,7 +12,7 @@ from jsonschema import Draft202012Validator
 from scipy.interpolate import PchipInterpolator
 from shorewright.io.export import EXPORTERS, check, export
 from shorewright.io.export.common import DATA as NAMES
-from shorewright.io.export.data_axes import AXES
+from shorewright.io.export.data_axes import AXES, Frame
 from shorewright.io.export.data_kinds import IN_TIME
 from shorewright.io.export.data_rows import DATA
 from shorewright.io.export.data_schema import MODELS, schema_text
@@ -230,6 +230,11 @@ LOOKS["godot-hterrain"] = LOOKS["godot-project"] = LOOKS["godot"]
 HALF = 0.5**0.5
 EAST = {"raw": (0, 0, -HALF, HALF), "unreal": (0, 0, 0, 1), "unity": (0, HALF, 0, HALF), "godot": (0, -HALF, 0, HALF)}
 EAST["godot-hterrain"] = EAST["godot-project"] = EAST["godot"]
+# the camera's turn as each engine makes it of angles: Unreal FRotator(30, 0, 0), Unity Quaternion.Euler(-30, 90, 0),
+# Godot rotation_degrees (30, -90, 0), without an engine 90° clockwise about z after 30° up about x
+S, C = HALF * np.sin(np.pi / 12), HALF * np.cos(np.pi / 12)
+LOOK = {"raw": (S, -S, -C, C), "unreal": (0, -S / HALF, 0, C / HALF), "unity": (-S, C, S, C), "godot": (S, -C, S, C)}
+LOOK["godot-hterrain"] = LOOK["godot-project"] = LOOK["godot"]
 
 
 def numbers(told, letters="xyz"):
@@ -252,6 +257,7 @@ def test_a_camera_stands_and_looks_as_the_engine_has_it(written):
     assert numbers(engine["up"]) == pytest.approx(up)
     for axis, name in zip(LOOKS[target], ("ahead", "up")):
         assert turned(engine["rotation"], np.array(axis, float)) == pytest.approx(numbers(engine[name]), abs=1e-8)
+    assert numbers(engine["rotation"], "xyzw") == pytest.approx(LOOK[target], abs=1e-8)
     crate = by_id(data, "prop", "crate")["engine"]
     assert numbers(crate["rotation"], "xyzw") == pytest.approx(EAST[target], abs=1e-8)
 
@@ -272,6 +278,22 @@ def test_the_axes_are_those_of_the_manifest(written):
     else:
         assert manifest["world"]["axes"].startswith("x east, y north, height up, metres")
     assert {*AXES} == {*EXPORTERS}
+
+
+def test_places_lie_on_the_exported_height_map(written, level):
+    """The column and row of a manifest's probe are where the engine's axes have its place; Unity's rows go north."""
+    target, folder = written
+    frame = Frame.of(level, target)
+    manifest = read_manifest(folder)
+    assert len(manifest["probes"]) > 3
+    up, north = (2, 1) if target in ("raw", "unreal") else (1, 2)
+    for probe in manifest["probes"]:
+        truth = np.array([probe["x_m"], probe["y_m"], probe["height_m"]])
+        at = frame.place(truth) / frame.axes.units_per_m
+        row = NORTH_M - at[north] if target == "raw" else at[north]
+        assert (at[0], row) == pytest.approx((probe["col"], probe["row"]), abs=1e-6)
+        assert at[up] == pytest.approx(truth[2] - (SEA_M if target != "raw" else 0), abs=1e-6)
+        assert frame.back(at * frame.axes.units_per_m) == pytest.approx(truth, abs=1e-6)
 
 
 def test_what_has_no_height_lies_on_water_or_ground(unity, level):
@@ -355,6 +377,7 @@ def test_tracks_give_the_levels_moments(unity, level):
     assert linear(data["tide_track"], "sea_level_m", 10.0) == pytest.approx(SEA_M + 0.2)
     rows = [{"time_s": row["time_s"], "swell": row["settings"]["sea"]["swell_m"], "run": row["wind_run_m"]}
             for row in data["weather_track"]]  # fmt: skip
+    assert [row["time_s"] for row in rows[:3]] == [0, 20, pytest.approx(20 + 30 / 32)]
     swell = [level_at(level, t).settings.sea.swell_m for t in times]
     assert rows[-1] == {
         "time_s": 50,

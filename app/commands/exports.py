@@ -17,7 +17,9 @@ def export(
     *,
     target: Annotated[str, Parameter(help="unreal, unity, godot, godot-hterrain, godot-project or raw.")],
     output: Annotated[Path, Parameter(name=["--output", "-o"], help="Folder to write; new, empty or an older export.")],
-    only: Annotated[list[str] | None, Parameter(negative="", help="Maps to write, by comma; all without it.")] = None,
+    only: Annotated[
+        list[str] | None, Parameter(negative="", help="Maps to write, by comma, or maps, meshes, data; all without it.")
+    ] = None,
     resample: Annotated[
         bool, Parameter(negative="", help="Bring the longer side to a size the engine takes; the error is told.")
     ] = False,

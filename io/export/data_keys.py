@@ -6,6 +6,7 @@ every point of the tide's curve, with PARTS between. A game needs neither our fa
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from itertools import pairwise
 from typing import Any, Literal
 
@@ -29,7 +30,8 @@ WIND = "weather.wind_mps"
 WeatherNow = some_settings(
     "WeatherNow",
     (*KEYED, "flow.points", "storm.start_s"),
-    "What weather keys make of the settings at a moment; all others stay as they are.",
+    "What weather keys make of the settings at a moment; all others stay as they are. `storm.start_s` jumps: take "
+    "that of the next row.",
 )
 
 
@@ -90,10 +92,10 @@ def make(level: Level, frame: Frame) -> dict[str, Any] | None:
     return {"engine": EngineAxes.of(frame).model_dump(), **keys, **tracks, **periods}
 
 
-def between(bends: list[float], parts: int = PARTS) -> list[float]:
-    """Moments at some bends and between them."""
+def between(bends: list[float], parts: Callable[[float, float], int]) -> list[float]:
+    """Moments at some bends and between them; `parts` says how many pieces there are from one to the next."""
     bends = sorted(set(bends))
-    inner = [a + (b - a) * n / parts for a, b in pairwise(bends) for n in range(parts)]
+    inner = [a + (b - a) * n / parts(a, b) for a, b in pairwise(bends) for n in range(parts(a, b))]
     return [*inner, *bends[-1:]]
 
 
@@ -102,7 +104,11 @@ def weather_track(level: Level) -> list[dict[str, Any]]:
     if not keys:
         return []
     ends = [0.0, *(end for key in keys for end in (key.time_s, key.time_s + key.fade_s))]
-    return [weather_at(level, t) for t in between(ends)]
+
+    def parts(low: float, high: float) -> int:
+        return PARTS if any(key.time_s < high and key.time_s + key.fade_s > low for key in keys) else 1
+
+    return [weather_at(level, t) for t in between(ends, parts)]
 
 
 def weather_at(level: Level, t: float) -> dict[str, Any]:
@@ -126,7 +132,7 @@ def tide_track(level: Level) -> list[dict[str, float]]:
     if not tide.on:
         return []
     points = [(tide.high_s + part * period_s) % period_s for part in tide.curve[::2]] if period_s else []
-    times = between([0.0, *points, period_s])
+    times = between([0.0, *points, period_s], lambda low, high: PARTS)
     rows = clean(tide_m(level.settings, np.array(times)))
     mean_m = level.mean_sea_m
     return [
@@ -142,7 +148,7 @@ def day_s(level: Level) -> float:
 
 def sun_track(level: Level, frame: Frame) -> list[dict[str, Any]]:
     day = day_s(level)
-    return [sun_at(level, frame, t) for t in between([0.0, day], DAY_PARTS)] if day else []
+    return [sun_at(level, frame, t) for t in between([0.0, day], lambda low, high: DAY_PARTS)] if day else []
 
 
 def sun_at(level: Level, frame: Frame, t: float) -> dict[str, Any]:
@@ -189,10 +195,9 @@ def numbers(level: Level, file: BaseModel) -> dict[str, float]:
         return {}
     span = np.ptp(rows, axis=0)
     span[span == 0] = 1.0
-    model = WeatherNow
     worst = 0.0
     for n, (a, b) in enumerate(pairwise(file.weather_track)):
-        truth = model.model_validate(weather_at(level, 0.5 * (a.time_s + b.time_s))["settings"])
+        truth = WeatherNow.model_validate(weather_at(level, 0.5 * (a.time_s + b.time_s))["settings"])
         worst = max(worst, float(np.max(np.abs(_flat(truth) - 0.5 * (rows[n] + rows[n + 1])) / span)))
     return {"weather_track_error_share": float(clean(worst))}
 
