@@ -22,13 +22,14 @@ TYPES = {"POSITION": ("VEC3", FLOAT), "NORMAL": ("VEC3", FLOAT), "TANGENT": ("VE
          "TEXCOORD_0": ("VEC2", FLOAT), "COLOR_0": ("VEC4", U16)}  # fmt: skip
 DTYPES = {FLOAT: "<f4", U16: "<u2", U32: "<u4"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
+EAST, NORTH = np.array([1.0, 0, 0]), np.array([0, 1.0, 0])
 AXES = np.array([(1, 0, 0), (0, 0, 1), (0, -1, 0)], float)  # world x east, y north, z up to glTF's x, y up, z south
 
 
 @dataclass(frozen=True)
 class Part:
     """A named mesh in world axes (metres, z up): `positions`, unit `normals`, `tangents` float `(n, 3)`, `uv` `(n, 2)`,
-    `colours` `(n, 4)` 0 … 1, `triangles` `(m, 3)` anticlockwise from outside.
+    `colours` `(n, 4)` 0 … 1 or None, `triangles` `(m, 3)` anticlockwise from outside.
 
     A bitangent is normal × tangent and points to falling v. `nodes`: (name, matrix 4 × 4 in world axes) that show it.
     """
@@ -38,7 +39,7 @@ class Part:
     normals: np.ndarray
     tangents: np.ndarray
     uv: np.ndarray
-    colours: np.ndarray
+    colours: np.ndarray | None
     triangles: np.ndarray
     nodes: tuple = ()
     upward: bool = True
@@ -46,12 +47,15 @@ class Part:
 
 def tangents_for(normals: np.ndarray, way: np.ndarray) -> np.ndarray:
     """The part of `way` `(n, 3)` square to unit normals, unit length; the east's or north's where there is none."""
-    found = np.zeros_like(normals)
-    for one in (way, np.array([1.0, 0, 0]), np.array([0, 1.0, 0])):
-        missing = np.linalg.norm(found, axis=-1) < 0.5
-        across = one - (one * normals).sum(-1, keepdims=True) * normals
+    found, missing = np.zeros_like(normals), np.ones(len(normals), bool)
+    for one in (way, EAST, NORTH):
+        normal, wanted = normals[missing], np.broadcast_to(one, normals.shape)[missing]
+        across = wanted - (wanted * normal).sum(-1, keepdims=True) * normal
         length = np.linalg.norm(across, axis=-1, keepdims=True)
-        found = np.where(missing[:, None] & (length > 1e-3), across / np.maximum(length, 1e-12), found)
+        found[missing] = np.where(length > 1e-3, across / np.maximum(length, 1e-12), 0)
+        missing[missing] = length[:, 0] <= 1e-3
+        if not missing.any():
+            break
     return found
 
 
@@ -124,14 +128,16 @@ def write_parts(
 def _attributes(blob: _Blob, part: Part) -> dict[str, int]:
     positions = (part.positions @ AXES.T).astype(np.float32)
     tangents = np.concatenate([part.tangents @ AXES.T, np.ones((len(positions), 1))], -1)
-    values = {"POSITION": positions, "NORMAL": part.normals @ AXES.T, "TANGENT": tangents, "TEXCOORD_0": part.uv,
-              "COLOR_0": np.rint(np.clip(part.colours, 0, 1) * 65535)}  # fmt: skip
+    values = {"POSITION": positions, "NORMAL": part.normals @ AXES.T, "TANGENT": tangents, "TEXCOORD_0": part.uv}
+    if part.colours is not None:
+        values["COLOR_0"] = np.rint(np.clip(part.colours, 0, 1) * 65535)
     found = {}
-    for name, (kind, component) in TYPES.items():
+    for name, array in values.items():
+        kind, component = TYPES[name]
         more = {"normalized": True} if component == U16 else {}
         if name == "POSITION":
             more = {"min": positions.min(0).tolist(), "max": positions.max(0).tolist()}
-        found[name] = blob.add(values[name], kind, component, 34962, **more)
+        found[name] = blob.add(array, kind, component, 34962, **more)
     return found
 
 

@@ -8,11 +8,10 @@ from scipy import ndimage
 from ...level import Level
 from ...level.walk import walkable
 from . import meshes
-from .mesh_glb import Part, smooth_normals, tangents_for
+from .mesh_glb import EAST, Part, smooth_normals, tangents_for
 
 TILE = 128  # quads a side
 LODS = 3
-EAST = np.array([1.0, 0.0, 0.0])
 TILE_BUDGET = 600_000  # triangles of the finest level of detail
 
 
@@ -64,7 +63,7 @@ def _tile(name: str, lines: list[np.ndarray], of: tuple, skirt_m: float) -> Part
     triangles = np.concatenate([meshes.quads(*shape), walls])
     colours = np.concatenate([np.ones(len(top)), np.zeros(len(ring))])[:, None] * (1, 1, 1, 0) + (0, 0, 0, 1)
     uv = np.concatenate([uv, uv[ring]])
-    return Part(name, positions, normal, tangents_for(normal, np.tile(EAST, (len(normal), 1))), uv, colours, triangles)
+    return Part(name, positions, normal, tangents_for(normal, EAST), uv, colours, triangles)
 
 
 def _ring(rows: int, cols: int) -> np.ndarray:
@@ -89,7 +88,6 @@ def walkable_mesh(level: Level) -> tuple[list[Part], float]:
     normals = smooth_normals(positions, triangles)
     depth = np.clip((level.sea_level_m - positions[:, 2]) / max(level.settings.walk.depth_m, 1e-6), 0, 1)
     colours = np.stack([depth, 1 - normals[:, 2], 0 * depth, 0 * depth + 1], -1)
-    east = np.tile(EAST, (len(normals), 1))
     uv = base.uv[used] * (1, -1) + (0, 1)
-    part = Part("walkable", positions, normals, tangents_for(normals, east), uv, colours, triangles)
+    part = Part("walkable", positions, normals, tangents_for(normals, EAST), uv, colours, triangles)
     return [part], meshes.surface_error_m(level.height, base)

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from ...level import Level
-from .mesh_glb import Part, smooth_normals, tangents_for
+from .mesh_glb import EAST, Part, smooth_normals, tangents_for
 
 UP = np.array([0.0, 0.0, 1.0])
 ACROSS_V = "v 0 at the farthest row at sea, 1 at the last on land"
@@ -93,10 +93,9 @@ def _props(level: Level) -> tuple[list[Part], float]:
         normals /= np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-9)
         normals[np.linalg.norm(normals, axis=1) < 0.5] = UP
         colours = np.column_stack([mesh.colours, np.ones(len(mesh.colours))])
-        east = np.tile((1.0, 0.0, 0.0), (len(normals), 1))
         uv = mesh.vertices[:, :2] * (1, -1)
         vertices = mesh.vertices.astype(float)
-        parts.append(Part(name or "stand_in", vertices, normals, tangents_for(normals, east), uv, colours,
+        parts.append(Part(name or "stand_in", vertices, normals, tangents_for(normals, EAST), uv, colours,
                           mesh.triangles, tuple(nodes), upward=False))  # fmt: skip
     return parts, 0.0
 

@@ -1,7 +1,7 @@
-"""The ground as a mesh (GLB through trimesh) and every written layer as a VTK image (`.vti` through pyvista).
+"""The ground as a mesh (GLB) and every written layer as a VTK image (`.vti` through pyvista).
 
 glTF is right-handed, y up, metres: position = (x east, height, -y north), so north is -Z and the south-west sample
-stands at x = z = 0. trimesh writes normals only when they were computed before, so they are made here and handed in.
+stands at x = z = 0. trimesh reads back what mesh_glb wrote, as a reader that isn't ours.
 """
 
 from __future__ import annotations
@@ -13,8 +13,10 @@ from pathlib import Path
 import numpy as np
 
 from ...level import BadInput, Level
+from .mesh_glb import AXES, EAST, Part, tangents_for, write_parts
 
-TRIANGLE_BUDGET = 1_000_000  # 24 MB of GLB; a 4097² level has 33 million triangles and would take 800 MB
+TRIANGLE_BUDGET = 1_000_000  # 36 MB of GLB; a 4097² level has 33 million triangles and would take 1.2 GB
+SAND = (0.66, 0.6, 0.48)
 
 
 @dataclass(frozen=True)
@@ -106,23 +108,11 @@ def _cell(lines: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def write_glb(path: Path, mesh: TerrainMesh, name: str) -> None:
-    """One mesh with normals, texture coordinates (v up the north) and a plain sand material."""
-    import trimesh
-
-    material = trimesh.visual.material.PBRMaterial(
-        name="ground", baseColorFactor=[168, 152, 122, 255], metallicFactor=0.0, roughnessFactor=0.95
-    )
-    ground = trimesh.Trimesh(
-        vertices=mesh.positions,
-        faces=mesh.faces,
-        vertex_normals=mesh.normals,
-        visual=trimesh.visual.TextureVisuals(uv=mesh.uv, material=material),
-        process=False,
-        validate=False,
-    )
-    scene = trimesh.Scene()
-    scene.add_geometry(ground, node_name=name, geom_name=name)
-    path.write_bytes(scene.export(file_type="glb", include_normals=True))
+    """One mesh with normals, tangents to the east, UVs from the north-west corner and a plain sand material."""
+    normals = mesh.normals @ AXES
+    uv = mesh.uv * (1, -1) + (0, 1)
+    part = Part(name, mesh.positions @ AXES, normals, tangents_for(normals, EAST), uv, None, mesh.faces)
+    write_parts(path, [part], "ground", SAND)
 
 
 def read_glb(path: Path) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -133,6 +133,7 @@ def _glb(job: Job) -> FileRecord:
         channels=[
             Channel(name="POSITION", meaning="X east, Y up, -Z north", unit="m"),
             Channel(name="NORMAL", meaning="normal of the ground", unit=""),
+            Channel(name="TANGENT", meaning="to the east, square to the normal; w 1", unit=""),
             Channel(name="TEXCOORD_0", meaning="u east, v from the north edge to the south edge", unit=""),
         ],
         decode=Decode(formula=GLB_FORMULA),

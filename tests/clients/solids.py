@@ -75,4 +75,8 @@ def _terrain(level: Level) -> dict[str, np.ndarray]:
     mesh = terrain_mesh(level.height, level.grid.cell_m)
     at, gltf = mesh.faces.ravel(), AXES["three"]
     uv = mesh.uv * np.float32([1, -1]) + np.float32([0, 1])
-    return {"positions": gltf.turned(mesh.positions)[at], "normals": gltf.turned(mesh.normals)[at], "uv": uv[at]}
+    normals = gltf.turned(mesh.normals)
+    tangents = np.float32([1, 0, 0]) - normals[:, :1] * normals  # east, square to the normal
+    tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
+    found = {"positions": gltf.turned(mesh.positions), "normals": normals, "tangents": tangents, "uv": uv}
+    return {name: values[at] for name, values in found.items()}
