@@ -44,7 +44,6 @@ def bottleneck(marker: np.ndarray, depth: np.ndarray, rounds: int = ROUNDS) -> n
     least, floor = _framed(np.minimum(marker, depth)), _framed(depth)
     floor_turned = np.ascontiguousarray(floor.T)
     for _ in range(rounds):
-        beat()
         _sweep(least, floor)
         turned = np.ascontiguousarray(least.T)  # rows that lie together in memory sweep three times as fast
         _sweep(turned, floor_turned)
@@ -83,6 +82,7 @@ def _sweep(least: np.ndarray, floor: np.ndarray) -> None:
     came = np.zeros_like(here[0])
     maximum, minimum, last = np.maximum, np.minimum, len(here) - 1
     for rows in (range(1, last), range(last - 1, 0, -1)):
+        beat()
         before = rows.start - rows.step
         for row in rows:
             maximum(west[before], east[before], out=came)

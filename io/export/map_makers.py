@@ -37,8 +37,12 @@ class Rows:
 def spooled(shape: tuple[int, int, int], blocks: Iterable[np.ndarray]) -> Rows:
     """Rows that were worked out once, from the south: in memory, or in a file without a name when they are many."""
     file = SpooledTemporaryFile(HELD_BYTES)  # noqa: SIM115 - it ends with the rows
-    for block in blocks:
-        file.write(np.ascontiguousarray(block, np.float32).data)
+    try:
+        for block in blocks:
+            file.write(np.ascontiguousarray(block, np.float32).data)
+    except BaseException:
+        file.close()
+        raise
     row_bytes = 4 * shape[1] * shape[2]
 
     def read(start: int, stop: int) -> np.ndarray:
