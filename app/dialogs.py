@@ -185,7 +185,7 @@ class Dialogs:
         if _button(form.confirm, True) or sure:
             self._working, self.error = True, ""
         imgui.same_line()
-        if _button("Cancel", False) or imgui.is_key_pressed(imgui.Key.escape):
+        if _button("Cancel", False) or (imgui.is_key_pressed(imgui.Key.escape) and not form.takes_escape):
             self._done()
         elif self._working:
             imgui.same_line()

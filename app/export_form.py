@@ -1,7 +1,8 @@
-"""The form for exports: a target, a folder; it runs beside the window on a copy of the level, shown by a bar."""
+"""The form for exports: a target, maps, a folder; it runs beside the window on a copy of the level, shown by a bar."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 
 from imgui_bundle import imgui
@@ -11,6 +12,47 @@ from .background import Background, export_work
 from .editor import Editor
 from .file_forms import WIDE, Form, PathField
 from .param_widgets import tooltip
+
+LARGE = imgui.ComboFlags_.height_large
+
+
+class MapChoice:
+    """Which maps of a target are written: all but those that were switched off, whatever target that was for."""
+
+    def __init__(self) -> None:
+        self.left_out: set[str] = set()
+        self._shown = False
+        self.takes_escape = False
+
+    def wanted(self, maps: Sequence[tuple[str, str]]) -> list[str] | None:
+        """Names for `only`: None when it is all of them."""
+        names = [name for name, _ in maps if name not in self.left_out]
+        return None if len(names) == len(maps) else names
+
+    def told(self, maps: Sequence[tuple[str, str]]) -> str:
+        wanted = self.wanted(maps)
+        return "all" if wanted is None else f"{len(wanted)} of {len(maps)}"
+
+    def draw(self, maps: Sequence[tuple[str, str]]) -> None:
+        """A field that opens a list with a box and a sentence for each map."""
+        imgui.set_next_item_width(WIDE - 60)
+        before, self._shown = self._shown, imgui.begin_combo("Maps###export_maps", self.told(maps), LARGE)
+        self.takes_escape = before or self._shown
+        if not self._shown:
+            return
+        if imgui.is_key_pressed(imgui.Key.escape):
+            imgui.close_current_popup()
+        if imgui.button("All###maps_all"):
+            self.left_out.clear()
+        imgui.same_line()
+        if imgui.button("None###maps_none"):
+            self.left_out |= {name for name, _ in maps}
+        for name, doc in maps:
+            changed, on = imgui.checkbox(f"{name}###map_{name}", name not in self.left_out)
+            tooltip(doc)
+            if changed:
+                (self.left_out.discard if on else self.left_out.add)(name)
+        imgui.end_combo()
 
 
 class ExportForm(Form):
@@ -23,7 +65,7 @@ class ExportForm(Form):
         self.targets = list(EXPORTERS.values())
         self.target = 0
         self.resample = False
-        self.only = ""
+        self.choice = MapChoice()
         held = editor.session.path
         self.stem = held.stem if held else "level"
         folder = (held.parent if held else Path.cwd()) / f"{self.stem}_{self.targets[0].name}"
@@ -40,9 +82,8 @@ class ExportForm(Form):
         if self.targets[self.target].sizes:
             _, self.resample = imgui.checkbox("Resample to a size the engine takes", self.resample)
             tooltip("Else the level lies in a corner of the next larger size, sample for sample. The error is told.")
-        imgui.set_next_item_width(WIDE - 60)
-        _, self.only = imgui.input_text_with_hint("Maps###export_maps", "all, or names by comma", self.only)
-        tooltip(", ".join(name for name, _ in self.targets[self.target].maps))
+        self.choice.draw(self.targets[self.target].maps)
+        self.takes_escape = self.choice.takes_escape
         self.field.draw("folder")
 
     def _choose(self, number: int) -> None:
@@ -54,10 +95,10 @@ class ExportForm(Form):
     def run(self) -> None:
         target = self.targets[self.target]
         resample = self.resample and bool(target.sizes)
-        names = [name.strip() for name in self.only.split(",") if name.strip()]
-        target.choose(names or None)  # refuses a name at once
+        names = self.choice.wanted(target.maps)
+        target.choose(names)  # refuses none at all at once
         level, folder = self.editor.session.level, self.field.path
-        self.background = Background(level, export_work, target.name, folder, self.stem, names or None, resample)
+        self.background = Background(level, export_work, target.name, folder, self.stem, names, resample)
 
     def finish(self, result: list[Path] | None) -> None:
         where = self.field.path

@@ -56,6 +56,7 @@ class Form:
     title = ""
     confirm = "OK"
     replaces = False  # another level takes the place of the one being edited
+    takes_escape = False  # while a list of its own is open: the key closes that
 
     def __init__(self, editor: Editor) -> None:
         self.editor = editor

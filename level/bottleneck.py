@@ -12,6 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from .beat import beat
+
 ROUNDS = 60  # of four sweeps; two or three are enough for coasts, a maze of walls is cut short here
 KEPT = 0.25  # share of the bottleneck depth that no toll takes: waves break near the beach still
 SPREAD_M = 50.0  # way over which the rest is used up
@@ -37,11 +39,11 @@ class Toll:
         return fall
 
 
-def bottleneck(marker: np.ndarray, depth: np.ndarray) -> np.ndarray:
+def bottleneck(marker: np.ndarray, depth: np.ndarray, rounds: int = ROUNDS) -> np.ndarray:
     """Reconstruction of `depth` from `marker`, float32 `(rows, cols)`; -inf where no way leads."""
     least, floor = _framed(np.minimum(marker, depth)), _framed(depth)
     floor_turned = np.ascontiguousarray(floor.T)
-    for _ in range(ROUNDS):
+    for _ in range(rounds):
         _sweep(least, floor)
         turned = np.ascontiguousarray(least.T)  # rows that lie together in memory sweep three times as fast
         _sweep(turned, floor_turned)
@@ -80,6 +82,7 @@ def _sweep(least: np.ndarray, floor: np.ndarray) -> None:
     came = np.zeros_like(here[0])
     maximum, minimum, last = np.maximum, np.minimum, len(here) - 1
     for rows in (range(1, last), range(last - 1, 0, -1)):
+        beat()
         before = rows.start - rows.step
         for row in rows:
             maximum(west[before], east[before], out=came)

@@ -16,10 +16,20 @@ from shorewright.level.layers import LayerData
 SOME = [*GROUND, "normals", "foam", "snow", "weather_map", "river_foam"]
 
 
+LEAST_WORDS = {"walkable": 12, "arrival": 4, "puddles": 4, "cover_weights": 3}
+
+
 def level_with_paint():
     level = slope_level()
     level.write("foam", Rect(2, 3, 9, 12), 0.5)
     level.write("snow", Rect(0, 0, 5, 5), 0.25)
+    return level
+
+
+def level_with_all(value):
+    level = level_with_paint()
+    for name in ("foam", "snow", "flow", "height", "weather"):
+        level.write(name, Rect(1, 1, 6, 7), value)
     return level
 
 
@@ -117,6 +127,27 @@ def test_cancelling_leaves_what_was_there(tmp_path, earlier, after):
         export(level, "godot", out, SOME, name="bay", progress=stop)
     assert (snapshot(out) if out.exists() else None) == before
     assert [path.name for path in tmp_path.iterdir()] == (["out"] if earlier else [])
+
+
+@pytest.mark.parametrize("piece", [name for name, _ in EXPORTERS["raw"].maps])
+def test_every_piece_can_be_stopped(tmp_path, piece):
+    """At its first word, in its middle and at its last one; the long ones say a good many."""
+    chosen, out, told = sorted({"height", piece}), tmp_path / "out", []
+    export(level_with_all(0.5), "raw", out, chosen, name="bay")
+    before = snapshot(out)
+    other = level_with_all(0.25), "raw", tmp_path / "other", chosen, "bay"
+    export(*other, progress=lambda *said: told.append(said))
+    of_piece = [number for number, (_, name) in enumerate(told) if name == piece]
+    assert len(of_piece) >= LEAST_WORDS.get(piece, 1)
+    for last in {of_piece[0], of_piece[len(of_piece) // 2], of_piece[-1]}:
+        words = iter(range(last))
+        with pytest.raises(Cancelled):
+            export(
+                level_with_all(0.25), "raw", out, chosen, "bay",
+                progress=lambda *_, left=words: next(left, None) is not None,
+            )  # fmt: skip
+        assert snapshot(out) == before
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["other", "out"]
 
 
 @pytest.mark.parametrize("target", EXPORTERS)

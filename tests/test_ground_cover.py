@@ -52,7 +52,7 @@ def site_of(level, pixel_m):
 @pytest.mark.gl
 @pytest.mark.parametrize("pixel_m", [0.05, 1.5, 20.0])
 def test_weights_are_those_of_the_shader(ctx, coast, pixel_m):
-    """From one site the same eight weights. Textures are filtered with 8 bits, and the borders of patches take that noise
+    """From one site the same eight weights. Textures are filtered with 8 bits, and borders of patches take that noise
     twelve times (`wide_patch`): a few places on steep borders are off by more than a hundredth."""
     (x, y), site = site_of(coast, pixel_m)
     cover = coast.layers["cover"].array

@@ -78,7 +78,10 @@ def test_files_by_dialog(drive):
     assert ground(saved) == found["height"] != original
     assert found["suggested"].endswith("other_raw")
     assert any(name.endswith(".glb") for name in found["exported"])
-    assert "'sand'" in found["no_map"]
+    assert found["all_maps"] == "all"
+    assert "no map called nothing" in found["no_map"]
+    assert found["two_maps"].startswith("2 of ")
+    assert not any(name.endswith(".png") for name in found["exported"])
     assert found["frames"] < 4000
     assert found["begun"]
     assert not found["cancelled"]

@@ -6,6 +6,7 @@ import math
 import weakref
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
+from functools import wraps
 from tempfile import SpooledTemporaryFile
 
 import numpy as np
@@ -15,7 +16,7 @@ from ...level.layers import WEATHER_GRID
 from .records import Channel
 
 STILL_MPS = 1e-4
-HELD_BYTES = 32_000_000  # a map that took long to make and is larger waits on the disk
+HELD_BYTES = 8_000_000  # a map that took long to make and is larger waits on the disk
 
 
 @dataclass(frozen=True)
@@ -36,8 +37,12 @@ class Rows:
 def spooled(shape: tuple[int, int, int], blocks: Iterable[np.ndarray]) -> Rows:
     """Rows that were worked out once, from the south: in memory, or in a file without a name when they are many."""
     file = SpooledTemporaryFile(HELD_BYTES)  # noqa: SIM115 - it ends with the rows
-    for block in blocks:
-        file.write(np.ascontiguousarray(block, np.float32).data)
+    try:
+        for block in blocks:
+            file.write(np.ascontiguousarray(block, np.float32).data)
+    except BaseException:
+        file.close()
+        raise
     row_bytes = 4 * shape[1] * shape[2]
 
     def read(start: int, stop: int) -> np.ndarray:
@@ -60,6 +65,22 @@ class Samples:
     low: float | tuple[float, ...] = 0.0
     high: float | tuple[float, ...] = 1.0
     numbers: dict[str, float] = field(default_factory=dict)
+
+
+def kept(make: Callable[[Level], Samples | None]) -> Callable[[Level], Samples | None]:
+    """A maker whose samples stay with the level until it changes, for other targets and maps."""
+
+    @wraps(make)
+    def made(level: Level) -> Samples | None:
+        name = f"export {make.__name__}"
+        now = level.revision, level.settings_revision, level.objects_revision
+        then, samples = level.derived.get(name, (None, None))
+        if then != now:
+            samples = make(level)
+            level.derived[name] = now, samples
+        return samples
+
+    return made
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ them; how they get into a file, for which target in which format, is map_files.p
 
 from __future__ import annotations
 
+from . import map_ground, map_timing
 from . import map_makers as make
-from . import map_timing
 from .map_makers import MapRow
 from .records import Channel
 
@@ -59,6 +59,15 @@ MAPS: dict[str, MapRow] = {
         MapRow("weather_hdrp", "The same for HDRP's cloud map: coverage, rain, and where in the cloud lookup table.",
                (_c("coverage", "coverage"), _c("rain", "rain"), _c("type", "u of the cloud lookup table")),
                make.weather("hdrp"), bits=8),
+        MapRow("cover_weights", "Ground by rule and paint, as it is drawn: four of eight weights; their sum is 1.",
+               tuple(_c(name, f"weight of {name}") for name in ("sand", "shingle", "strata", "reef")),
+               map_ground.weights(0), bits=8),
+        MapRow("cover_weights_2", "The other four weights of the ground.",
+               tuple(_c(name, f"weight of {name}") for name in ("grass", "dune grass", "sea floor", "weed")),
+               map_ground.weights(4), bits=8),
+        MapRow("puddles", "How deep rain stands where it has filled every hollow; none in the sea and in rivers.",
+               (_c("depth", "depth of the water", "m", 0),),
+               map_ground.puddles),
         *(make.painted(name) for name in MASKS),
     )
 }  # fmt: skip

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from functools import wraps
+from collections.abc import Iterator
 
 import numpy as np
 
 from ...level import Level
 from .beat import beat
-from .map_makers import Rows, Samples, spooled
+from .map_makers import Rows, Samples, kept, spooled
 from .maps import row_slices
 
 NO_WAVE_S = -60_000.0  # a half float still holds it
@@ -18,22 +17,6 @@ DEEP_M = 4.0  # wading depths that are told apart
 ROW_NUMBERS = 16  # float64 numbers a sample that the clock of fronts works with
 MAKING = 0.8  # of the time that such a map takes; the rest is for its file
 SWELLS = 3  # as many as a picture has colours
-
-
-def kept(make: Callable[[Level], Samples | None]) -> Callable[[Level], Samples | None]:
-    """A maker whose samples stay with the level until it changes, for other targets and maps."""
-
-    @wraps(make)
-    def made(level: Level) -> Samples | None:
-        name = f"export {make.__name__}"
-        now = level.revision, level.settings_revision, level.objects_revision
-        then, samples = level.derived.get(name, (None, None))
-        if then != now:
-            samples = make(level)
-            level.derived[name] = now, samples
-        return samples
-
-    return made
 
 
 @kept
