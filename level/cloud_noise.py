@@ -12,6 +12,7 @@ import numpy as np
 
 from .textures import spectral_noise
 
+SEED = 7
 SHAPE_SIDE, DETAIL_SIDE, CURL_SIDE = 128, 32, 128
 OCTAVES = (0.625, 0.25, 0.125)  # weights of a fBm, each twice as fine as the one before
 SHAPE_CELLS = (4, 8, 16)  # cells a tile of the coarsest octave of G, B and A
@@ -87,12 +88,12 @@ def perlin_fbm(side: int, seed: int) -> np.ndarray:
     return _stretched(total)
 
 
-def perlin_slice(seed: int = 7, at: float = 0.37) -> np.ndarray:
+def perlin_slice(seed: int = SEED, at: float = 0.37) -> np.ndarray:
     """uint8 `(128, 128, 1)`: the Perlin noise in the shape, at a height in tiles."""
     return _bytes(perlin_fbm(SHAPE_SIDE, seed)[int(at * SHAPE_SIDE)])
 
 
-def shape_noise(seed: int = 7) -> np.ndarray:
+def shape_noise(seed: int = SEED) -> np.ndarray:
     """uint8 `(128, 128, 128, 4)`: Perlin-Worley and three Worley octaves, each twice as fine as the one before."""
     cache: dict = {}
     octaves = [_stretched(worley_fbm(SHAPE_SIDE, cells, seed, cache)) for cells in SHAPE_CELLS]
@@ -102,14 +103,14 @@ def shape_noise(seed: int = 7) -> np.ndarray:
     return _bytes(dilated, *octaves)
 
 
-def detail_noise(seed: int = 7) -> np.ndarray:
+def detail_noise(seed: int = SEED) -> np.ndarray:
     """uint8 `(32, 32, 32, 4)`: three octaves of inverted Worley noise; A is their fBm."""
     cache: dict = {}
     octaves = [_stretched(worley_fbm(DETAIL_SIDE, cells, seed + 101, cache)) for cells in DETAIL_CELLS]
     return _bytes(*octaves, sum(weight * octave for weight, octave in zip(OCTAVES, octaves, strict=True)))
 
 
-def curl_field(seed: int = 7) -> np.ndarray:
+def curl_field(seed: int = SEED) -> np.ndarray:
     """float64 `(128, 128, 3)`: the curl of a potential that doesn't change with height, deviation 1.
 
     The difference that makes it is the one that asks for its divergence, which is therefore zero.
@@ -121,7 +122,7 @@ def curl_field(seed: int = 7) -> np.ndarray:
     return np.stack([east / scale, north / scale, up], -1)
 
 
-def curl_noise(seed: int = 7) -> np.ndarray:
+def curl_noise(seed: int = SEED) -> np.ndarray:
     """uint8 `(128, 128, 3)`: curl_field, ±3 deviations as 0 … 255."""
     return _bytes(*np.moveaxis(curl_field(seed) / 6 + 0.5, -1, 0))
 

@@ -52,9 +52,14 @@ def _fronts(level: Level, time_s: float) -> list[Fronts]:
     return [_group([state[n] for state in states], keys, turns, time_s) for n, turns in enumerate(TURNS)]
 
 
+def flat_s(key: WeatherKey, turns: tuple[int, ...]) -> np.ndarray:
+    """When fronts lie flat under a key and take its waves, by their turns."""
+    return key.time_s + key.fade_s * (HALF + (1 - 2 * HALF) * np.array(turns) / 7)
+
+
 def _group(states: list[Fronts], keys: tuple[WeatherKey, ...], turns: tuple[int, ...], time_s: float) -> Fronts:
     """One group: of each front the state that it rose with last, and how far it stands."""
-    middles = [key.time_s + key.fade_s * (HALF + (1 - 2 * HALF) * np.array(turns) / 7) for key in keys]  # flat then
+    middles = [flat_s(key, turns) for key in keys]
     gain = np.ones(len(turns))
     for n, (key, middle) in enumerate(zip(keys, middles, strict=True), 1):
         before = _latest(middles, lambda other, middle=middle: other < middle)

@@ -175,8 +175,10 @@ def shore_masks(
     edge_s = 1.0 + (edge - 1.0) * moving * come
     masks = ShoreMasks(a * on, b * on, line, back, fall, lift * moving, edge_s, arrived.v * come)
     if breaks is not None:
-        masks.shift, masks.way = breaks.shift(sea * moving), np.stack([breaks.breaker.east.v, breaks.breaker.north.v])
-        masks.progress, masks.white = breaks.progress, breaks.white * calm * sea.v * on
+        masks.shift = breaks.shift(sea * (moving * come))
+        masks.way = np.stack([breaks.breaker.east.v, breaks.breaker.north.v])
+        masks.progress = np.where(come, breaks.progress, -9.0)
+        masks.white = breaks.white * calm * sea.v * on * come
     return masks
 
 

@@ -9,13 +9,12 @@ import moderngl
 import numpy as np
 
 from ..level import cloud_noise, textures
+from ..level.cloud_noise import SEED
 from .cache import cached
-
-SEED = 7
 
 
 class CloudTextures:
-    """Textures of lib/clouds.glsl by sampler name, made when first asked for; `bytes` is what they hold."""
+    """Textures of level/clouds.glsl by sampler name, made when first asked for; `bytes` is what they hold."""
 
     def __init__(self, ctx: moderngl.Context) -> None:
         self.ctx = ctx

@@ -8,8 +8,9 @@ import numpy as np
 
 from ..level import Settings
 from ..level.earth import GRAVITY
+from ..level.foam_uniforms import foam_uniforms
 from ..level.gerstner import groups
-from ..level.loop import CAP_LIFE_S, FOAM_CYCLES, RIPPLES, looped, moment, ripple_period_s, turns
+from ..level.loop import FOAM_CYCLES, RIPPLES, looped, moment, ripple_period_s, turns
 from ..level.settings import Sea
 from ..level.sun import light_angles
 from ..level.water_optics import absorption, backscatter, river_added
@@ -17,8 +18,6 @@ from .day_light import exposure_ev, white_k
 from .sky_light import SkyLight, sky_light
 
 DISPLAYS = ("agx", "aces", "neutral", "raw")
-LIGHT_MPS = 3.7  # up to this wind nothing on the open sea is white
-CALM_M, ROUGH_M = 0.1, 0.4  # waves from which on crests bear foam, and bear it whole
 STAR_LIGHT = 0.0015  # kcd/m² of the brightest stars, spread over 1.4 minutes of arc
 RIPPLE_SPREAD = np.array([0.7955, 0.2045])  # of the texture's slope variance: along its own way, across
 LEAST_SLOPE2 = 2e-4  # no sea is a mirror
@@ -108,26 +107,7 @@ def _ripples(settings: Settings, time_s: float) -> dict:
         "u_ripple_way": np.array(way, np.float32),
         "u_ripple_size": np.array(size, np.float32),
         "u_ripple_gain": (*np.sqrt(target / made), target.sum()),
-        "u_wind_way": (math.sin(heading), math.cos(heading)),
         "u_wind_spread": tuple(target / target.sum()),
-    }
-
-
-def _foam(settings: Settings, time_s: float) -> dict:
-    water, interval_s, loop_s = settings.water, settings.flow.interval_s, settings.time.loop_s
-    cycles = moment(time_s, loop_s) / interval_s
-    whole = math.floor(cycles)
-    phase = (cycles - whole, whole % FOAM_CYCLES, interval_s if settings.flow.on else 0.0)
-    # heights count against the largest possible: a calm's crests are as high in it as a storm's, and bear no foam
-    sea = settings.sea
-    rough = min(max((sea.swell_m + sea.chop_m - CALM_M) / (ROUGH_M - CALM_M), 0.0), 1.0) if sea.on else 0.0
-    rough *= min(max(sea.wind_mps - LIGHT_MPS, 0.0), 1.0)
-    return {
-        "u_foam_height": settings.foam.height * rough,
-        "u_foam_cycle": phase,
-        "u_foam_turns": float(turns(interval_s, loop_s)),
-        "u_foam_tile_m": water.foam_tile_m,
-        "u_foam_amount": water.foam,
     }
 
 
@@ -143,30 +123,6 @@ def _rivers(settings: Settings, time_s: float) -> dict:
         "u_river_turns": float(turns(asked_s, loop_s)),
         "u_river_absorb": absorb.astype(np.float32),
         "u_river_back": back.astype(np.float32),
-    }
-
-
-def whitecap_share(wind_mps: float) -> float:
-    """Share of the open sea that is white: 3.84e-6 U^3.41 (Monahan & O'Muircheartaigh 1980), none in light wind."""
-    return min(3.84e-6 * wind_mps**3.41, 0.6) * min(max(wind_mps - LIGHT_MPS, 0.0), 1.0)
-
-
-def _whitecaps(settings: Settings, time_s: float) -> dict:
-    """Two generations of caps, half a life apart: each comes up, shrinks and is somewhere else the next time."""
-    loop_s = settings.time.loop_s
-    first = moment(time_s, loop_s) / looped(CAP_LIFE_S, loop_s)
-    cycles = [first, first + 0.5]
-    ages = [cycle - math.floor(cycle) for cycle in cycles]
-    # multiples of irrational numbers: no two generations near each other share a place
-    again = turns(CAP_LIFE_S, loop_s)  # after so many the same ones come
-    numbers = [math.floor(cycle) % again if again else math.floor(cycle) for cycle in cycles]
-    numbers = [2 * number + i for i, number in enumerate(numbers)]
-    places = [n * step % 1.0 for n in numbers for step in (0.7548776662, 0.5698402910)]
-    shares = [1 - abs(2 * age - 1) for age in ages]
-    return {
-        "u_whitecaps": whitecap_share(settings.sea.wind_mps) * float(settings.sea.on),
-        "u_cap_place": np.array(places, np.float32),
-        "u_cap_age": np.array([*(age - 0.5 for age in ages), *shares], np.float32),
     }
 
 
@@ -192,7 +148,6 @@ def look_uniforms(settings: Settings, time_s: float, sky: SkyLight | None = None
         "u_ground_rock_slope": math.tan(math.radians(ground.rock_slope_deg)),
         "u_ground_grass_slope": math.tan(math.radians(ground.grass_slope_deg)),
         **_ripples(settings, time_s),
-        **_foam(settings, time_s),
-        **_whitecaps(settings, time_s),
+        **foam_uniforms(settings, time_s),
         **_rivers(settings, time_s),
     }

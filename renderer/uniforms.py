@@ -1,19 +1,13 @@
-"""Uniforms: one helper that skips what the compiler removed, and the level's settings under one naming rule.
-
-A setting `water.absorb_red` is `u_water_absorb_red` in every shader that declares it. The sections `sea` and `shore`
-are left out: the level's own GLSL has its own names for them (`wave_uniforms`).
-"""
+"""Uniforms: all that a frame's passes may ask for, and one helper that skips what the compiler removed."""
 
 from __future__ import annotations
-
-import functools
 
 import numpy as np
 
 from ..level import Level, Settings
-from ..level.params import describe, get
 from ..level.rain_rings import mean_slope2, rain_drops
 from ..level.rings import MOST, rings
+from ..level.setting_uniforms import settings_uniforms
 from ..level.shore_field import shore_field
 from ..level.tide import band_m, left_s
 from ..level.water_table import table_in_use
@@ -22,18 +16,6 @@ from .look import look_uniforms, wave_slopes
 from .quality import APRON_DEPTH_M, APRON_M
 
 WET_WAVES = 4  # so many waves back sand remembers each (lib/wet.glsl)
-OWN_SECTIONS = ("sea", "shore", "time")
-
-
-@functools.cache
-def _rows() -> list:
-    kept = (row for row in describe(Settings) if row.name.split(".")[0] not in OWN_SECTIONS)
-    return [row for row in kept if row.kind in ("float", "int", "bool")]
-
-
-def settings_uniforms(settings: Settings) -> dict[str, float | int | bool]:
-    """Settings outside OWN_SECTIONS, by uniform name."""
-    return {f"u_{row.name.replace('.', '_')}": get(settings, row.name) for row in _rows()}
 
 
 def frame_uniforms(frame) -> dict:

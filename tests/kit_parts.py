@@ -6,24 +6,35 @@ import subprocess
 import numpy as np
 import pytest
 from coasts import make_beach
-from shorewright.io.export.kit.files import sources
+from shorewright.io.export.kit.files import sources, text_of
 from shorewright.level.objects import Pin, River, SwellRegion, WaveObject
 from shorewright.level.river_bed import carved
 
-MAIN = """#include <stdio.h>
+STRICT = ["-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-pedantic"]
+READ = """#include <stdio.h>
 #include <stdlib.h>
-#include "sea.h"
-int main(int count, char **words) {
-    bool over = count > 2;
-    FILE *file = fopen(words[1], "rb");
+static void *whole_file(const char *name) {
+    FILE *file = fopen(name, "rb");
+    if (!file) return NULL;
     fseek(file, 0, SEEK_END);
     size_t size = (size_t)ftell(file);
     rewind(file);
-    float *texels = malloc(size);
-    if (fread(texels, 1, size, file) != size) return 1;
+    char *text = malloc(size);
+    if (fread(text, 1, size, file) != size) exit(1);
     fclose(file);
+    return text;
+}
+"""
+SEA = (
+    READ
+    + """
+#include "sea.h"
+int main(int count, char **words) {
+    bool over = count > 1 && words[1][0] == 'o';
+    float *texels = whole_file("sea.f32");
+    unsigned char *bytes = whole_file("sea.u8");
     sea_state g;
-    sea_set_up(&g, texels);
+    sea_set_up(&g, texels, bytes);
     double ask[3];
     while (fread(ask, sizeof(double), 3, stdin) == 3) {
         sea_at_time(&g, ask[0]);
@@ -32,14 +43,40 @@ int main(int count, char **words) {
         vec2 flow = flow_at(&g, at), first, second;
         float weight;
         flow_places(&g, at, flow, 0.0f, &first, &second, &weight);
-        float told[13] = {sea.position.x, sea.position.y, sea.position.z, sea.normal.x, sea.normal.y, sea.normal.z,
-                          flow.x, flow.y, first.x, first.y, second.x, second.y, weight};
-        fwrite(told, sizeof(float), 13, stdout);
+        float told[16] = {sea.position.x, sea.position.y, sea.position.z, sea.normal.x, sea.normal.y, sea.normal.z,
+                          flow.x, flow.y, first.x, first.y, second.x, second.y, weight, foam_on(&g, sea),
+                          sea.before.x, sea.before.y};
+        fwrite(told, sizeof(float), 16, stdout);
     }
     free(texels);
+    free(bytes);
     return 0;
 }
 """
+)
+SKY = (
+    READ
+    + """
+#include "sky.h"
+int main(void) {
+    float *texels = whole_file("sky.f32");
+    unsigned char *bytes = whole_file("sky.u8");
+    sky_state g;
+    sky_set_up(&g, texels, bytes);
+    double ask[4];
+    while (fread(ask, sizeof(double), 4, stdin) == 4) {
+        sky_at_time(&g, ask[0]);
+        vec4 weather = weather_at(&g, (vec2){(float)ask[1], (float)ask[2]});
+        float density = cloud_density(&g, (vec3){(float)ask[1], (float)ask[2], (float)ask[3]});
+        float told[5] = {weather.x, weather.y, weather.z, weather.w, density};
+        fwrite(told, sizeof(float), 5, stdout);
+    }
+    free(texels);
+    free(bytes);
+    return 0;
+}
+"""
+)
 
 
 def plain():
@@ -53,7 +90,7 @@ def plunging():
 
 
 def placed():
-    """Wave objects, rings among them, and a region."""
+    """Wave objects, rings among them, a region, and a rectangle that the artist marked as calm."""
     level = make_beach(rows=97, cols=97)
     level.put_object("w", WaveObject(id="w", x=40.0, y=25.0, radius_m=40.0, yaw_deg=33.0))
     level.put_object("o", WaveObject(id="o", x=60, y=20, ring=True, radius_m=15, length_m=3, amplitude_m=0.2))
@@ -70,7 +107,16 @@ def river():
     return level
 
 
-LEVELS = {"plain": plain, "plunging": plunging, "placed": placed, "river": river}
+def travelling():
+    """Waves that refract, with plunging and pins."""
+    level = make_beach(rows=97, cols=97)
+    level.set("timing.source", "travel_time")
+    level.set("shore.plunge", 1.0)
+    level.put_object("pin", Pin(id="pin", x=50, y=25, time_s=4.0))
+    return level
+
+
+LEVELS = {"plain": plain, "plunging": plunging, "placed": placed, "river": river, "travelling": travelling}
 
 
 def asked(level, times, count):
@@ -80,36 +126,40 @@ def asked(level, times, count):
     return np.column_stack([np.repeat(times, count), points])
 
 
-def run_c(level, asks, folder, *words):
-    """(n, 13) positions, normals, flow, places of its two copies, weight by a kit's C, at (n, 3) times and points.
+def put_files(source, folder, stem):
+    """A part's header and maps, as the C programs here look for them."""
+    (folder / f"{stem}.h").write_text(text_of(source, "test", "c"))
+    for kind, suffix in (("<f4", ".f32"), ("|u1", ".u8")):
+        maps = [values for values in source.data.maps.values() if values.dtype.str == kind]
+        (folder / f"{stem}{suffix}").write_bytes(b"".join(values.tobytes() for values in maps))
 
-    With a word, over world points: `sea_at`.
-    """
+
+def build(folder, *files):
+    """C99 without a warning, to the program `run`; skips without a compiler."""
     compiler = shutil.which("gcc") or shutil.which("cc")
     if compiler is None:
         pytest.skip("no C compiler here")
-    made, data = sources(level, "test", ["c"])
-    (folder / "sea.h").write_text(made["c"])
-    (folder / "main.c").write_text(MAIN)
-    (folder / "sea.f32").write_bytes(b"".join(values.tobytes() for values in data.maps.values()))
-    strict = ["-std=c99", "-O1", "-Wall", "-Wextra", "-Werror", "-pedantic"]
-    built = subprocess.run(
-        [compiler, *strict, "main.c", "-o", "sea", "-lm"], cwd=folder, capture_output=True, text=True
-    )
+    built = subprocess.run([compiler, *STRICT, *files, "-o", "run", "-lm"], cwd=folder, capture_output=True, text=True)
     assert built.returncode == 0, built.stderr[:2000]
-    ran = subprocess.run(
-        ["./sea", "sea.f32", *words], cwd=folder, input=asks.tobytes(), capture_output=True, check=True
-    )
-    return np.frombuffer(ran.stdout, np.float32).reshape(-1, 13)
 
 
-def travelling():
-    """Waves that refract, with plunging, pins and an overridden hectare."""
-    level = make_beach(rows=97, cols=97)
-    level.set("timing.source", "travel_time")
-    level.set("shore.plunge", 1.0)
-    level.put_object("pin", Pin(id="pin", x=50, y=25, time_s=4.0))
-    return level
+def run_c(level, asks, folder, *words):
+    """(n, 16) by the sea's C at (n, 3) times and points: position, normal, flow, its two places, weight, foam, before.
+
+    With a word, over world points: `sea_at`.
+    """
+    put_files(sources(level, "test", "sea"), folder, "sea")
+    return _ran(SEA, asks, folder, 16, *words)
 
 
-LEVELS["travelling"] = travelling
+def run_sky(level, asks, folder):
+    """(n, 5) by the sky's C at (n, 4) times and places: weather, density."""
+    put_files(sources(level, "test", "sky"), folder, "sky")
+    return _ran(SKY, asks, folder, 5)
+
+
+def _ran(main, asks, folder, columns, *words):
+    (folder / "main.c").write_text(main)
+    build(folder, "main.c")
+    ran = subprocess.run(["./run", *words], cwd=folder, input=asks.tobytes(), capture_output=True, check=True)
+    return np.frombuffer(ran.stdout, np.float32).reshape(-1, columns)

@@ -26,24 +26,32 @@ void main() {
 """
 
 
-def transform(ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict, defines=(), filters=None):
-    """Run a vertex shader over points `in_at` (n, 2), read back its varyings (floats by name), release `textures`."""
+def transform(
+    ctx, source: str, at, varyings: dict[str, int], textures: dict, uniforms: dict, defines=(), texts=None, smooth=()
+):
+    """Run a vertex shader over points `in_at` (n, 2 or 3), read back its varyings (floats by name), release `textures`.
+
+    All are read texel by texel but those of `smooth`, which keep their filters; `texts` overrides includes by name.
+    """
     defines = [*defines, *(["TRAVEL_TIME"] if "u_arrival" in textures else [])]
     text = (
         "#version 410 core\n"
         + "".join(f"#define {name}\n" for name in defines)
-        + resolve("points", {"points": source}).text
+        + resolve("points", {"points": source, **(texts or {})}).text
     )
     program = ctx.program(vertex_shader=text, varyings=list(varyings))
     for unit, (name, texture) in enumerate(textures.items()):
-        texture.filter = (filters or {}).get(name, (ctx.NEAREST, ctx.NEAREST))
+        if name not in smooth:
+            texture.filter = (ctx.NEAREST, ctx.NEAREST)
+        if program.get(name, None) is None:  # no function that is called here reads it
+            continue
         texture.use(unit)
         program[name] = unit
     set_uniforms(program, uniforms)
     floats = sum(varyings.values())
     points = ctx.buffer(np.ascontiguousarray(at, np.float32).tobytes())
     out = ctx.buffer(reserve=len(at) * 4 * floats)
-    array = ctx.vertex_array(program, [(points, "2f", "in_at")])
+    array = ctx.vertex_array(program, [(points, f"{np.shape(at)[1]}f", "in_at")])
     target = ctx.simple_framebuffer((1, 1))  # a surfaceless context has none, and drawing needs one
     target.use()
     array.transform(out, ctx.POINTS, vertices=len(at))

@@ -37,7 +37,7 @@ def test_powder_darkens_edges_away_from_the_sun(renderer, powder):
 
 def test_six_samples_stand_for_their_lengths(renderer):
     """Z15: in even cloud the optical depth to the sun is σ times five pieces and a far one, each with its switch."""
-    texts, sun = {"lib/clouds.glsl": slab()}, {"light.sun_elevation_deg": 30.0, "clouds.extinction": 0.001}
+    texts, sun = {"level/clouds.glsl": slab()}, {"light.sun_elevation_deg": 30.0, "clouds.extinction": 0.001}
     depth = "cloud_sun_depth(vec3(0.0), 1600.0, 0.0, {})"
     body = f"out_value = vec4({depth.format('false')}, {depth.format('true')}, 0.0, 0.0);"
     for off, expected_m in (

@@ -7,7 +7,7 @@ from coasts import make_beach
 from shorewright.level import Rect
 from shorewright.level.objects import Camera
 from shorewright.renderer.passes import clouds, weather
-from shorewright.renderer.program import SHADERS, Shader
+from shorewright.renderer.program import Shader, shader_path
 from shorewright.renderer.uniforms import bind_textures, set_uniforms
 from shorewright.renderer.views import find_view
 
@@ -99,8 +99,8 @@ def test_heights_over_the_sea_are_right_to_five_centimetres(renderer, eye_m):
 
 
 def slab():
-    """lib/clouds.glsl with a shell full of even cloud."""
-    text = (SHADERS / "lib" / "clouds.glsl").read_text()
+    """level/clouds.glsl with a shell full of even cloud."""
+    text = shader_path("level/clouds.glsl").read_text()
     for name, inside in (
         ("cloud_base", "return float(h > 0.0 && h < 1.0);"),
         ("cloud_eroded", "return u_clouds_extinction;"),
@@ -122,7 +122,7 @@ def test_even_cloud_follows_beers_law_whatever_the_steps(renderer, steps, start)
         "out_value = vec4(m.transmittance, span.y - span.x, m.light.g, cloud_source(vec3(0.0), 2000.0, 0.5, 0.0,"
         "dot(dir, u_sun_direction), cloud_phase(dot(dir, u_sun_direction)), 0.0, true).g);"
     )
-    found, up = fan(renderer, level, body, texts={"lib/clouds.glsl": slab()}, u_cloud_steps=(steps, steps))
+    found, up = fan(renderer, level, body, texts={"level/clouds.glsl": slab()}, u_cloud_steps=(steps, steps))
     through, length, light, source = found[np.degrees(up) > 8].T  # lower ones reach into the fading distance
     expected = np.exp(-0.001 * length)
     kept = expected > 0.006  # past that it counts as opaque

@@ -76,9 +76,9 @@ def test_weights_are_those_of_the_shader(ctx, coast, pixel_m):
         "u_pixel_m": pixel_m,
         "u_cell": coast.grid.cell_m,
     }
-    filters = {"u_noise": (moderngl.LINEAR_MIPMAP_NEAREST, moderngl.LINEAR)}
+    textures["u_noise"].filter = (moderngl.LINEAR_MIPMAP_NEAREST, moderngl.LINEAR)
     at = np.stack([x.ravel(), y.ravel()], -1)
-    found = transform(ctx, RULE, at, {"v_one": 4, "v_other": 4}, textures, uniforms, filters=filters)
+    found = transform(ctx, RULE, at, {"v_one": 4, "v_other": 4}, textures, uniforms, smooth=("u_noise",))
     wanted = weights_of(coast, site, cover).reshape(-1, 8)
     off = np.abs(found - wanted).max(-1)
     assert off.mean() < 0.006

@@ -1,13 +1,7 @@
 // The weather map at a place and a time (Z04 to Z06, Z20). The twin is level/weather.py.
 
-uniform sampler2D u_weather_noise;       // a broad pattern and its quarter turn, a fine one and its own; Gaussian
-uniform sampler2D u_layer_weather;       // painted coverage, precipitation, type; weight of the coverage
-uniform sampler2D u_layer_weather_more;  // weights of precipitation and type
-const int MOST_SHOTS = 16;
-uniform sampler2DArray u_weather_shot_skies;  // skies of shots, the lower first
-uniform int u_weather_shots;
-uniform vec4 u_weather_shot[MOST_SHOTS];      // metres moved, share
-uniform vec2 u_weather_over_shots;       // how much of the paint and of the horizon's sky shows over them
+#include "level/weather_textures.glsl"
+
 uniform vec4 u_weather_turn;             // cosine and sine of the state of the broad and of the fine pattern
 uniform vec2 u_weather_moved;            // metres that the air has moved, and the map's middle
 uniform vec2 u_weather_paint_moved;      // the same of the paint
@@ -21,13 +15,13 @@ uniform vec4 u_weather_area[MOST_AREAS];      // place, radius (0: everywhere), 
 uniform vec4 u_weather_area_sky[MOST_AREAS];  // coverage, type, precipitation
 uniform vec2 u_storm_size;               // depth along the wind, how ragged its front is
 
-const float WEATHER_TILE_M = 70000.0, RAINY = 0.7, RAIN_SOFT = 0.15, WEATHER_FINE = 0.5;
+const float RAINY = 0.7, RAIN_SOFT = 0.15, WEATHER_FINE = 0.5;
 const float STORM_CLOUDS = 0.85, STORM_KIND = 0.9, STORM_LEAD_M = 4500.0, STORM_SOFT_M = 1500.0;
 const int STAGE_SIMULATED = 0, STAGE_PAINTED = 1, STAGE_HORIZON = 2, STAGE_FINAL = 3;
 
 // The noise in its present state, evenly spread over 0 … 1.
 float weather_even(vec2 xy, vec2 shift) {
-    vec4 noise = textureLod(u_weather_noise, (xy - u_weather_moved) / WEATHER_TILE_M + 0.5 + shift, 0.0);
+    vec4 noise = weather_noise((xy - u_weather_moved) / WEATHER_TILE_M + 0.5 + shift);
     float value = dot(noise, u_weather_turn * vec4(1.0, 1.0, WEATHER_FINE, WEATHER_FINE));
     return 1.0 / (1.0 + exp(-1.702 * value / length(vec2(1.0, WEATHER_FINE))));
 }
@@ -65,16 +59,6 @@ vec4 weather_simulated(vec2 xy) {
                 weather_spread(mean.y, weather_even(xy, vec2(0.371, 0.613)), 0.3), storm.y);
 }
 
-// The skies of shots over what there is, each over those before it.
-vec3 weather_with_shots(vec3 sky, vec2 xy) {
-    vec2 side = vec2(textureSize(u_weather_shot_skies, 0).xy);
-    for (int i = 0; i < u_weather_shots; ++i) {
-        vec2 uv = (xy - u_weather_shot[i].xy) / WEATHER_TILE_M + 0.5 + 0.5 / side;
-        sky = mix(sky, textureLod(u_weather_shot_skies, vec3(uv, float(i)), 0.0).rgb, u_weather_shot[i].z);
-    }
-    return sky;
-}
-
 // Coverage, precipitation and gradient coordinate of coverage, precipitation and type (Z04).
 vec3 weather_pulled(vec3 sky) {
     return vec3(mix(sky.x, max(sky.x, RAINY), sky.y), sky.y, mix(0.5 * sky.z, 1.0, sky.y));
@@ -85,10 +69,9 @@ vec4 weather_of(vec2 xy, vec2 camera, int stage) {
     vec4 simulated = weather_simulated(xy);
     vec3 sky = weather_with_shots(simulated.xyz, xy), weight = vec3(0.0);
     if (stage > STAGE_SIMULATED && u_weather_painted) {
-        vec2 side = vec2(textureSize(u_layer_weather, 0));
-        vec2 uv = (xy - u_weather_paint_moved) / WEATHER_TILE_M + 0.5 + 0.5 / side;
-        vec4 painted = textureLod(u_layer_weather, uv, 0.0);
-        weight = vec3(painted.w, textureLod(u_layer_weather_more, uv, 0.0).rg) * u_weather_over_shots.x;
+        vec2 more;
+        vec4 painted = weather_painted((xy - u_weather_paint_moved) / WEATHER_TILE_M + 0.5, more);
+        weight = vec3(painted.w, more) * u_weather_over_shots.x;
         sky = mix(sky, painted.rgb, weight);
     }
     if (stage > STAGE_PAINTED) {

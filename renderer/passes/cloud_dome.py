@@ -5,11 +5,12 @@ What mirrors them (lobes.py) is made with them. Live pictures make both ahead of
 
 from __future__ import annotations
 
+from ...level.cloud_air import air_uniforms
 from ..frame import Frame
 from ..kept_map import at_whole, kept_map
 from ..slow_map import Making, Slow, in_strips, keep_up
 from ..uniforms import set_uniforms
-from .clouds import AROUND_EYE_M, AROUND_M, AROUND_S, air_uniforms, bind_cloud_textures, cloud_uniforms, shown
+from .clouds import AROUND_EYE_M, AROUND_M, AROUND_S, bind_cloud_textures, cloud_uniforms, shown
 from .lobes import lobes_making
 from .weather import weather_kept, weather_making
 

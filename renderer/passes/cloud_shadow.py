@@ -8,12 +8,13 @@ from __future__ import annotations
 
 import numpy as np
 
+from ...level.cloud_air import air_uniforms
 from ...level.weather import TILE_M, drift_m
 from ..frame import Frame
 from ..kept_map import at_whole, kept_map
 from ..slow_map import Making, Slow, in_strips, keep_up
 from ..uniforms import set_uniforms
-from .clouds import air_uniforms, bind_cloud_textures, shown
+from .clouds import bind_cloud_textures, shown
 from .weather import weather_kept, weather_making
 
 REACH_M = 8000.0  # half the map's side

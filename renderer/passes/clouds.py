@@ -2,12 +2,8 @@
 
 from __future__ import annotations
 
-import math
-
-import numpy as np
-
+from ...level.cloud_air import air_uniforms
 from ...level.cloud_profile import profile_table
-from ...level.weather import drift_m, middle_m
 from ..cloud_image import ORDER, CloudHistory, CloudImage
 from ..cloud_light import light_uniforms
 from ..frame import Frame
@@ -91,7 +87,7 @@ def _composite(frame: Frame) -> None:
 
 
 def cloud_uniforms(frame: Frame) -> dict:
-    """Values of lib/clouds.glsl, lib/cloud_light.glsl and lib/cloud_march.glsl that are no settings; binds textures."""
+    """Values of clouds.glsl, cloud_light.glsl and cloud_march.glsl that are no settings; binds textures."""
     level, clouds = frame.level, frame.level.settings.clouds
     bind_cloud_textures(frame)
     camera = frame.matrices.position
@@ -106,25 +102,6 @@ def cloud_uniforms(frame: Frame) -> dict:
     }
 
 
-def air_uniforms(level, time_s: float) -> dict:
-    """How the air has moved, each within the tile of what it moves (Z07, Z22)."""
-    settings = level.settings
-    clouds, weather = settings.clouds, settings.weather
-    moved = drift_m(level, time_s) + middle_m(settings)
-    ways = [math.radians(weather.heading_deg + turn) for turn in (0.0, clouds.turn_deg)]
-    evolved = time_s * float(settings.cloud_terms.evolve)
-    risen = clouds.rise_mps * evolved
-    return {
-        "u_cloud_drift": (*np.mod(moved, clouds.scale_m), *np.mod(moved, clouds.detail_m)),
-        "u_cloud_way": tuple(part for way in ways for part in (math.sin(way), math.cos(way))),
-        "u_cloud_rise": (
-            risen / clouds.detail_m % 1.0,
-            0.7 * risen / clouds.curl_m % 1.0,
-            -0.25 * risen / clouds.scale_m % 1.0,
-        ),
-    }
-
-
 def bind_cloud_textures(frame: Frame) -> None:
-    """Noises and height curves of lib/clouds.glsl."""
+    """Noises and height curves of level/clouds.glsl."""
     frame.textures |= frame.renderer.clouds.textures(profile_table(frame.level.settings))

@@ -14,7 +14,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/shadow.glsl"
 #include "lib/land_light.glsl"
 #ifdef QUIET
-#include "lib/current.glsl"
+#include "level/current.glsl"
 #endif
 #ifdef REFLECTIONS
 #include "lib/reflections.glsl"

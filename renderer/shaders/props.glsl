@@ -26,7 +26,7 @@ void main() {
 #ifdef FRAGMENT
 #define WRITE_GBUFFER
 #include "lib/gbuffer.glsl"
-#include "lib/noise.glsl"
+#include "level/noise.glsl"
 in vec3 v_relative, v_normal, v_colour, v_local;
 in float v_over, v_open;
 

@@ -4,7 +4,7 @@
 
 #ifdef VERTEX
 #include "lib/scatter.glsl"
-#include "lib/wind.glsl"
+#include "level/wind.glsl"
 uniform vec4 u_gusts[3];    // wave vector 1/m, phase 0 … 1
 uniform float u_wind_bend;  // lean of a blade in a middling gust, rad
 uniform float u_kind_wind;

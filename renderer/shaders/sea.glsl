@@ -11,7 +11,7 @@
 #define WRITE_GBUFFER
 #include "lib/gbuffer.glsl"
 #include "lib/shadow.glsl"
-#include "lib/layer.glsl"
+#include "level/layer.glsl"
 #include "lib/sea_material.glsl"
 #include "lib/sea_find.glsl"
 #include "lib/sea_below.glsl"

@@ -7,7 +7,7 @@ invariant gl_Position;  // chunks of either kind meet in the same points
 #include "lib/frame.glsl"
 #include "lib/openness.glsl"
 #include "lib/ground.glsl"
-#include "lib/layer.glsl"
+#include "level/layer.glsl"
 uniform sampler2D u_layer_cover;
 
 // Painted borders follow the ground, not the cells.

@@ -14,7 +14,7 @@ void main() { fullscreen_triangle(); }
 #include "lib/wet.glsl"
 #include "lib/glare.glsl"
 #include "lib/sea_material.glsl"
-#include "lib/layer.glsl"
+#include "level/layer.glsl"
 #include "lib/sea_below.glsl"
 #include "lib/flow_faults.glsl"
 #include "lib/plate.glsl"

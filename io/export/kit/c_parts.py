@@ -8,7 +8,8 @@ SCALAR = {
     "floor": "floorf({0})", "fract": "{0} - floorf({0})", "sin": "sinf({0})", "cos": "cosf({0})", "exp": "expf({0})",
     "sqrt": "sqrtf({0})", "abs": "{0} < 0 ? -{0} : {0}", "min": "{1} < {0} ? {1} : {0}", "max": "{0} < {1} ? {1} : {0}",
     "clamp": "{0} < {1} ? {1} : {2} < {0} ? {2} : {0}", "mix": "{0} * (1.0f - {2}) + {1} * {2}",
-    "mod": "{0} - {1} * floorf({0} / {1})",
+    "mod": "{0} - {1} * floorf({0} / {1})", "exp2": "exp2f({0})", "log2": "log2f({0})", "pow": "powf({0}, {1})",
+    "step": "{1} < {0} ? 0.0f : 1.0f",
     "add": "{0} + {1}", "sub": "{0} - {1}", "mul": "{0} * {1}", "div": "{0} / {1}", "neg": "-{0}",
     "less": "{0} < {1}", "greater": "{0} > {1}", "greaterEqual": "{0} >= {1}", "lessEqual": "{0} <= {1}",
     "equal": "{0} == {1}",
@@ -67,6 +68,9 @@ class Parts:
             return self.whole(
                 name, "float", f"{kind} a, {kind} b", f"return {' + '.join(f'a.{c} * b.{c}' for c in letters)};"
             )
+        if what == "distance":
+            size, apart = self.reduced("length", kind), self.of("sub", [kind, kind], kind)
+            return self.whole(name, "float", f"{kind} a, {kind} b", f"return {size}({apart}(a, b));")
         if what == "length":
             return self.whole(
                 name, "float", f"{kind} a", f"return sqrtf({' + '.join(f'a.{c} * a.{c}' for c in letters)});"

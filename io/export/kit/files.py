@@ -1,4 +1,4 @@
-"""The kit's files in an export: NAME_sea.json and .f32, and the functions in the languages that are asked for."""
+"""The kit's files in an export: of each part NAME_PART.json, .f32, .u8, its functions in the languages asked for."""
 
 from __future__ import annotations
 
@@ -12,118 +12,146 @@ import numpy as np
 from ..job import Job
 from ..manifest import describe_file
 from ..records import Decode, FileRecord
-from .parse import parse
-from .reach import pruned
-from .source import one_text
 from .tree import Unit
 from .write_c import CWriter
-from .write_data import c_data, hlsl_data, hlsl_time
+from .write_data import c_data, hlsl_data
 from .write_godot import GodotWriter
 from .write_hlsl import HlslWriter
+from .write_time import hlsl_time
 
 if TYPE_CHECKING:
-    from .data import SeaData
+    from .data import KitData
 
 NAME = "kit"
-DOC = "The sea for a game: its functions as source in the engine's language, its numbers (.json) and its maps (.f32)."
+DOC = (
+    "Sea and sky for a game: their functions as source in the engine's language, their numbers (.json) and maps "
+    "(.f32, .u8)."
+)
 MAP = (NAME, DOC)
-WANTED = ("sea_at", "flow_at", "flow_places")
+FILES = {"<f4": ".f32", "|u1": ".u8"}  # by NumPy's name of the samples
+FORMATS = {"<f4": "float32", "|u1": "unorm8"}
+
+
+@dataclass(frozen=True)
+class Source:
+    """A part as the level has it; `stem` is that of its files."""
+
+    part: str
+    stem: str
+    text: str
+    unit: Unit
+    data: KitData
 
 
 @dataclass(frozen=True)
 class Language:
-    """`write(text, unit, data)` gives the whole file."""
+    """`write(source)` gives the whole file but its first lines."""
 
     suffix: str
     doc: str
-    write: Callable[[str, Unit, SeaData], str]
+    write: Callable[[Source], str]
 
 
-def _c(text: str, unit: Unit, data: SeaData) -> str:
-    body = CWriter(unit).text()
-    return f"#ifndef SHOREWRIGHT_SEA_H\n#define SHOREWRIGHT_SEA_H\n\n{body}{c_data(unit, data)}\n#endif\n"
+def _c(source: Source) -> str:
+    guard = guard_of(source.stem, "H")
+    numbers = c_data(source.unit, source.data, source.part)
+    return f"#ifndef {guard}\n#define {guard}\n\n{CWriter(source.unit, source.part).text(numbers)}\n#endif\n"
 
 
-def _hlsl(text: str, unit: Unit, data: SeaData) -> str:
-    numbers = hlsl_data(unit, data)
-    body = HlslWriter(unit).text()
-    return f"#ifndef SHOREWRIGHT_SEA\n#define SHOREWRIGHT_SEA\n\n{numbers}\n{body}{hlsl_time(data)}\n#endif\n"
+def _hlsl(source: Source) -> str:
+    guard = guard_of(source.stem, "HLSL")
+    numbers, body = hlsl_data(source.unit, source.data), HlslWriter(source.unit).text()
+    end = hlsl_time(source.unit, source.data, source.part)
+    return f"#ifndef {guard}\n#define {guard}\n\n{numbers}\n{body}{end}\n#endif\n"
 
 
 LANGUAGES = {
-    "glsl": Language(".glsl", "GLSL 4.10", lambda text, unit, data: text),
+    "glsl": Language(".glsl", "GLSL 4.10", lambda source: source.text),
     "hlsl": Language(".hlsl", "HLSL for Unity's and Unreal's includes", _hlsl),
-    "godot": Language(".gdshaderinc", "Godot 4 shader include", lambda text, unit, data: GodotWriter(unit).text()),
+    "godot": Language(".gdshaderinc", "Godot 4 shader include", lambda source: GodotWriter(source.unit).text()),
     "c": Language(".h", "C99, for floating bodies, minds and servers", _c),
 }
 
 
-def head(name: str, language: Language) -> str:
+def guard_of(stem: str, ending: str) -> str:
+    """The macro that keeps a file from being read twice."""
+    word = "".join(c.upper() if c.isascii() and c.isalnum() else "_" for c in stem)
+    return f"SHOREWRIGHT_{word}_{ending}"
+
+
+def head(source: Source, name: str, language: Language) -> str:
     """The first lines of every file of source."""
-    return (
-        f"// The sea of {name} in {language.doc}. sea_surface(before): the surface that an undeformed point is\n"
-        "// carried to; sea_at(world): that over a place. Metres, x east, y north. Made from the editor's own shader.\n"
-    )
+    from .parts import PARTS
+
+    part = PARTS[source.part]
+    return f"// The {part.name} of {name} in {language.doc}. {part.doc} Made from the editor's own shader.\n"
 
 
-def sources(level, name: str, languages: Iterable[str]) -> tuple[dict[str, str], SeaData]:
-    """The text of each language, by language, and the numbers."""
-    from .data import level_defines, sea_data  # loads SciPy
+def sources(level, name: str, part: str = "sea") -> Source:
+    """A part of the kit as a level has it."""
+    from .parts import part_of  # loads SciPy
 
-    text = one_text(level_defines(level))
-    unit = pruned(parse(text), WANTED)
-    data = sea_data(level, unit)
-    return {
-        word: head(name, LANGUAGES[word]) + LANGUAGES[word].write(text, pruned(parse(text), WANTED), data)
-        for word in languages
-    }, data
+    return Source(part, f"{name}_{part}", *part_of(level, part))
+
+
+def text_of(source: Source, name: str, word: str) -> str:
+    """The file of a part in one of LANGUAGES."""
+    from .parts import PARTS
+    from .reach import pruned
+
+    fresh = Source(source.part, source.stem, source.text, pruned(source.unit, PARTS[source.part].wanted), source.data)
+    return head(source, name, LANGUAGES[word]) + LANGUAGES[word].write(fresh)
 
 
 def write_kit(job: Job, languages: Iterable[str]) -> list[FileRecord]:
     """Write the kit in some of LANGUAGES with numbers and maps, describe the files; none without `kit` in the job."""
+    from .parts import PARTS
+
     if NAME not in job.maps:
         return []
-    made, data = sources(job.level, job.name, languages)
+    wanted = [name for name, part in PARTS.items() if part.has(job.level)]
+    return [record for name in wanted for record in _write_part(job, name, languages)]
+
+
+def _write_part(job: Job, name: str, languages: Iterable[str]) -> list[FileRecord]:
+    from .measure import measured
+    from .numbers import numbers
+
+    source = sources(job.level, job.name, name)
+    told = numbers(source)
+    error, unit = measured(source, told["probes"])
     records = []
-    for word, text in made.items():
-        path = job.folder / f"{job.name}_sea{LANGUAGES[word].suffix}"
-        path.write_text(text, "utf-8", newline="\n")
-        records.append(_record(path, "text", 8, f"source in {LANGUAGES[word].doc}"))
-    blob = job.folder / f"{job.name}_sea.f32"
-    blob.write_bytes(b"".join(values.tobytes() for values in data.maps.values()))
-    records.append(_record(blob, "float32", 32, "maps one after another, as the .json lists them, south row first"))
-    path = job.folder / f"{job.name}_sea.json"
-    path.write_text(json.dumps(numbers(data), indent=1, allow_nan=False) + "\n", "utf-8", newline="\n")
-    return [*records, _record(path, "text", 8, "value = as written")]
+    for word in languages:
+        path = job.folder / f"{source.stem}{LANGUAGES[word].suffix}"
+        path.write_text(text_of(source, job.name, word), "utf-8", newline="\n")
+        records.append(_record(path, "text", 8, f"source in {LANGUAGES[word].doc}", error, unit))
+    for kind, suffix in FILES.items():
+        maps = [values for values in source.data.maps.values() if values.dtype.str == kind]
+        if not maps:
+            continue
+        blob = job.folder / f"{source.stem}{suffix}"
+        blob.write_bytes(b"".join(values.tobytes() for values in maps))
+        back = np.frombuffer(blob.read_bytes(), kind)
+        off = max(float(np.abs(a - b.ravel()).max()) for a, b in zip(_cut(back, maps), maps, strict=True))
+        formula = "maps one after another, as the .json lists them, south row first" + (
+            "; v / 255" if suffix == ".u8" else ""
+        )
+        bits = maps[0].dtype.itemsize * 8
+        records.append(_record(blob, "float32" if bits == 32 else "uint8", bits, formula, off, "as stored"))
+    path = job.folder / f"{source.stem}.json"
+    path.write_text(json.dumps(told, indent=1, allow_nan=False) + "\n", "utf-8", newline="\n")
+    return [*records, _record(path, "text", 8, "value = as written", error, unit)]
 
 
-def numbers(data: SeaData) -> dict:
-    """What NAME_sea.json holds."""
-    from .data import probes
-
-    at, maps = 0, {}
-    for name, values in data.maps.items():
-        rows, cols, channels = values.shape
-        maps[name] = {"offset": at, "width": cols, "height": rows, "channels": channels}
-        at += values.size
-    return {
-        "uniforms": {name: np.asarray(value).tolist() for name, value in data.values.items()},
-        "phase_formula": "uniform[row][part] = fract(start + rate_hz * t) in double; row -1: the uniform is no array; "
-        "with turns > 0 it is floor(start + rate_hz * t) mod turns",
-        "phases": [vars(phase) for phase in data.phases],
-        "clock_formula": "waves = t * clock_hz; u_shore_clock = fract(waves); u_shore_cycle = floor(waves) mod 4096",
-        "clock_hz": data.clock_hz,
-        "loop_s": data.loop_s,
-        "held_as_at_time_0": data.held,
-        "maps": maps,
-        "probes": probes(data),
-    }
+def _cut(back: np.ndarray, maps: list[np.ndarray]) -> list[np.ndarray]:
+    ends = np.cumsum([values.size for values in maps])
+    return np.split(back.astype(np.float32), ends[:-1])
 
 
-def _record(path, sample_type: str, bits: int, formula: str) -> FileRecord:
+def _record(path, sample_type: str, bits: int, formula: str, error: float, unit: str) -> FileRecord:
     return describe_file(
         path, map=NAME, doc=DOC, width=0, height=0, bit_depth=bits, sample_type=sample_type, row_0=None, channels=[],
-        decode=Decode(formula=formula), max_error=0.0, error_unit="m",
+        decode=Decode(formula=formula), max_error=error, error_unit=unit,
     )  # fmt: skip
 
 

@@ -6,7 +6,10 @@ from ....level import BadInput
 from .lex import Word
 from .tree import Function, Struct, Variable, base, vector, width
 
-BY_PART = {"floor", "fract", "abs", "sin", "cos", "exp", "sqrt", "min", "max", "clamp", "mix", "mod", "smoothstep"}
+BY_PART = {
+    "floor", "fract", "abs", "sin", "cos", "exp", "exp2", "log2", "pow", "sqrt", "min", "max", "clamp", "mix", "mod",
+    "step", "smoothstep",
+}  # fmt: skip
 COMPARE = {"lessThan": "<", "lessThanEqual": "<=", "greaterThan": ">", "greaterThanEqual": ">=", "equal": "=="}
 PARTS = {"r": "x", "g": "y", "b": "z", "a": "w"}
 

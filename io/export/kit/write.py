@@ -37,8 +37,11 @@ class Writer:
 
     def function_name(self, function: Function) -> str:
         if self.overloads or function.name not in self.shared:
-            return function.name
-        return f"{function.name}_{len(function.parameters)}"
+            return self.named(function.name)
+        same = [one for one in self.unit.functions() if one.name == function.name]
+        counts = [len(one.parameters) for one in same]
+        kinds = function.parameters[0].type if len(set(counts)) < len(counts) else str(len(function.parameters))
+        return f"{function.name}_{kinds}"
 
     def name(self, of: Expr) -> str:
         return self.named(of.text)

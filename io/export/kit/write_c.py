@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import re
+
+from ....level import BadInput
 from .c_parts import Parts
 from .meaning import BY_PART, COMPARE, parts_of
 from .parse import swizzle
@@ -13,27 +16,42 @@ COMPARED = {"<": "less", "<=": "lessEqual", ">": "greater", ">=": "greaterEqual"
 WORDS = (
     "auto break case char const continue default do double else enum extern float for goto if inline int long "
     "register restrict return short signed sizeof static struct switch typedef union unsigned void volatile while bool "
-    "true false g"
+    "true false g near far small interface"
 )
-SKY = "float *texels; int width, height, channels;"
-FETCH = """static inline vec4 texel_of(const sea_map *map, ivec2 at) {
-    const float *from = map->texels + ((size_t)at.y * (size_t)map->width + (size_t)at.x) * (size_t)map->channels;
-    vec4 v = {from[0], 0.0f, 0.0f, 1.0f};
-    if (map->channels > 1) v.y = from[1];
-    if (map->channels > 2) v.z = from[2];
-    if (map->channels > 3) v.w = from[3];
-    return v;
-}"""
+TYPES = """#ifndef SHOREWRIGHT_TYPES
+#define SHOREWRIGHT_TYPES
+VECTORS
+typedef struct { const float *texels; const unsigned char *bytes; int width, height, channels; } texel_map;
+
+static inline vec4 texel_of(const texel_map *map, ivec2 at) {
+    size_t first = ((size_t)at.y * (size_t)map->width + (size_t)at.x) * (size_t)map->channels;
+    float v[4] = {0.0f, 0.0f, 0.0f, 1.0f};
+    for (int i = 0; i < map->channels && i < 4; ++i)
+        v[i] = map->bytes ? (float)map->bytes[first + (size_t)i] / 255.0f : map->texels[first + (size_t)i];
+    return (vec4){v[0], v[1], v[2], v[3]};
+}
+
+#define SHOREWRIGHT_JOIN_(a, b) a##b
+#define SHOREWRIGHT_JOIN(a, b) SHOREWRIGHT_JOIN_(a, b)
+#endif
+"""
+# two levels in one program: every name of a header goes through one macro
+NAMES = """#ifndef SHOREWRIGHT_PREFIX
+#define SHOREWRIGHT_PREFIX
+#endif
+"""
 
 
 class CWriter(Writer):
     taken = frozenset(WORDS.split())
     overloads = False
 
-    def __init__(self, unit: Unit) -> None:
+    def __init__(self, unit: Unit, part: str = "sea") -> None:
         super().__init__(unit)
+        self.part = part
         self.parts = Parts()
         self.pointers: set[str] = set()
+        self.body_now: list[Statement] = []
 
     def kept(self, name: str) -> bool:
         """True for what the state holds: uniforms and globals that may change."""
@@ -88,7 +106,7 @@ class CWriter(Writer):
         if of.text == "texelFetch":
             return f"texel_of({self.map_of(of.parts[0])}, {given[1]})", TIGHT + 2
         if of.text == "textureSize":
-            name = self.parts.whole("size_of", "ivec2", "const sea_map *a", "return (ivec2){a->width, a->height};")
+            name = self.parts.whole("size_of", "ivec2", "const texel_map *a", "return (ivec2){a->width, a->height};")
             return f"{name}({self.map_of(of.parts[0])})", TIGHT + 2
         if of.text == "findLSB":
             text = "int n = 0; while (n < 32 && !(a >> n & 1u)) ++n; return n < 32 ? n : -1;"
@@ -140,23 +158,29 @@ class CWriter(Writer):
     def unset(self, one: Variable) -> str:
         return " = {0}" if one.size or width(one.type) != 1 else " = 0"
 
+    def statement(self, of: Statement, depth: int) -> list[str]:
+        lines = super().statement(of, depth)
+        unread = [one.name for one in of.variables if not _names(self.body_now, one.name)]
+        return [*lines, *(f"{'    ' * depth}(void){self.named(name)};" for name in unread)]
+
     def function(self, item: Function) -> list[str]:
         self.pointers = {one.name for one in item.parameters if one.way in ("out", "inout")}
+        self.body_now = item.body
         found = super().function(item)
         self.pointers = set()
-        unused = [one.name for one in item.parameters if not _names(item.body, one.name)]
-        found[1:1] = [f"    (void){self.named(name)};" for name in unused]
+        unread = [one.name for one in item.parameters if not _names(item.body, one.name)]
+        found[1:1] = [f"    (void){self.named(name)};" for name in unread]
         return found
 
     def head(self, item: Function) -> str:
         return f"static inline {self.kind(item.type)} {self.function_name(item)}"
 
     def extra(self, item: Function) -> list[str]:
-        return ["sea_state *g"] if self.needs(item) else []
+        return [f"{self.part}_state *g"] if self.needs(item) else []
 
     def parameter(self, one: Variable) -> str:
         if one.type == "sampler2D":
-            return f"const sea_map *{self.named(one.name)}"
+            return f"const texel_map *{self.named(one.name)}"
         return f"{self.kind(one.type)} {'*' if one.way in ('out', 'inout') else ''}{self.named(one.name)}"
 
     # the top
@@ -182,34 +206,39 @@ class CWriter(Writer):
 
     def state(self) -> list[str]:
         """The struct of everything that a sea is at a moment."""
-        lines = ["typedef struct sea_state {"]
+        lines = [f"typedef struct {self.part}_state {{"]
         for one in self.unit.variables():
             if one.way == "const":
                 continue
             size = f"[{self.expr(one.size)}]" if one.size else ""
-            kind = "sea_map" if one.type == "sampler2D" else one.type.removesuffix("[]")
+            kind = "texel_map" if one.type == "sampler2D" else one.type.removesuffix("[]")
             lines.append(f"    {kind} {one.name}{size};")
-        return [*lines, "} sea_state;"]
+        return [*lines, f"}} {self.part}_state;"]
 
-    def text(self) -> str:
-        constants = [
-            line for one in self.unit.variables("const") if width(one.type) == 1 for line in self.variable(one)
-        ]
-        self.unit = Unit(
-            [i for i in self.unit.items if not (isinstance(i, Variable) and i.way == "const" and width(i.type) == 1)]
-        )
-        whole = super().text()
-        head = ["#include <math.h>", "#include <stdbool.h>", "#include <stddef.h>", "", "typedef unsigned int uint;"]
-        head += [
-            self.parts.types(),
-            f"typedef struct {{ const {SKY} }} sea_map;",
-            "",
-            *constants,
-            "",
-            *self.state(),
-            "",
-        ]
-        return "\n".join([*head, FETCH, *self.parts.made.values(), "", whole])
+    def text(self, numbers: str = "") -> str:
+        """The whole header but its guard; `numbers`: functions that set the state up."""
+        fixed = [one for one in self.unit.variables("const") if width(one.type) == 1]
+        constants = [line for one in fixed for line in self.variable(one)]
+        self.unit = Unit([item for item in self.unit.items if item not in fixed])
+        body = super().text()
+        head = ["#include <math.h>", "#include <stdbool.h>", "#include <stddef.h>", ""]
+        head.append(TYPES.replace("VECTORS", self.parts.types()))
+        names = self.own_names(numbers)
+        made = "\n".join([*constants, "", *self.state(), "", *self.parts.made.values(), "", body, numbers])
+        ends = [f"#undef {name}" for name in [*(one.name for one in fixed), *names, "SHOREWRIGHT_PREFIX"]]
+        text = "\n".join([*head, NAMES, *names.values(), "", made, *ends]) + "\n"
+        return re.sub(r"\buint\b", "unsigned", text)
+
+    def own_names(self, numbers: str) -> dict[str, str]:
+        """The macro that puts the prefix before each name; helpers, which parts share, have the part's name too."""
+        plain = [self.function_name(one) for one in self.unit.functions()] + list(self.unit.structs())
+        plain += [one.name for one in self.unit.variables("const")] + [f"{self.part}_state"]
+        plain += re.findall(r"^static inline \w+ (\w+)\(", numbers, re.MULTILINE)
+        told = dict.fromkeys(plain, "") | dict.fromkeys(self.parts.made, f"{self.part}_part_")
+        fields = {one.name for item in self.unit.structs().values() for one in item.members}
+        if both := sorted(fields & told.keys()):
+            raise BadInput(f"the runtime kit's C has {both[0]!r} both for a member and for a function")
+        return {name: f"#define {name} SHOREWRIGHT_JOIN(SHOREWRIGHT_PREFIX, {own}{name})" for name, own in told.items()}
 
 
 def _names(body: list[Statement], name: str) -> bool:

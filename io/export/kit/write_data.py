@@ -1,4 +1,4 @@
-"""The numbers of a sea as C and HLSL: set-up, and the phases at a time."""
+"""The numbers of a part of the kit as C and HLSL: uniforms with their values, maps."""
 
 from __future__ import annotations
 
@@ -7,24 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .tree import Unit, Variable, base, width
+from .write_time import c_time
 
 if TYPE_CHECKING:
-    from .data import SeaData
-
-CYCLES = 4096  # of the shore clock, after which the same waves come
-C_TIME = """
-static inline float sea_phase(double start, double rate, double t) {
-    double cycles = start + rate * t;
-    return (float)(cycles - floor(cycles));
-}
-
-static inline float sea_turns(double start, double rate, double t, double turns) {
-    double whole = floor(start + rate * t);
-    return (float)(whole - floor(whole / turns) * turns);
-}
-
-// The sea at a time in seconds since its beginning; wrapped in double, so that it holds for weeks.
-static inline void sea_at_time(sea_state *g, double t) {"""
+    from .data import KitData
 
 
 def number(value, kind: str, suffix: str) -> str:
@@ -37,7 +23,7 @@ def number(value, kind: str, suffix: str) -> str:
     return (text if any(c in text for c in ".en") else text + ".0") + suffix
 
 
-def rows_of(one: Variable, data: SeaData) -> list[list]:
+def rows_of(one: Variable, data: KitData) -> list[list]:
     """A uniform's value row by row (one row unless it is an array), as wide as its type."""
     kind = one.type.removesuffix("[]")
     value = np.atleast_1d(data.values[one.name])
@@ -47,32 +33,32 @@ def rows_of(one: Variable, data: SeaData) -> list[list]:
     return value[:, : width(kind)].tolist()
 
 
-def c_data(unit: Unit, data: SeaData) -> str:
-    """`sea_set_up` and `sea_at_time` in C; a map's texels are given by the caller, one after another as in the .f32."""
-    lines = [C_TIME]
-    if data.loop_s > 0:
-        lines.append(f"    t -= floor(t / {data.loop_s!r}) * {data.loop_s!r};")
-    lines.append(f"    double waves = t * {data.clock_hz!r};")
-    lines.append("    g->u_shore_clock = (float)(waves - floor(waves));")
-    lines.append(f"    g->u_shore_cycle = (int)(floor(waves) - floor(waves / {CYCLES}.0) * {CYCLES}.0);")
-    for phase in data.phases:
-        row = f"[{phase.row}]" if phase.row >= 0 else ""
-        asked = f"{phase.start!r}, {phase.rate_hz!r}, t"
-        text = f"sea_turns({asked}, {phase.turns}.0)" if phase.turns else f"sea_phase({asked})"
-        lines.append(f"    g->{phase.uniform}{row}.{'xyzw'[phase.part]} = {text};")
-    lines += ["}", "", "// `texels`: the whole of the .f32 file beside this one; it must live as long as the state.",
-              "static inline void sea_set_up(sea_state *g, const float *texels) {"]  # fmt: skip
-    at = 0
+def places(maps: dict[str, np.ndarray]) -> dict[str, int]:
+    """Where each map begins in its file, in samples: float32 ones follow each other in the .f32, bytes in the .u8."""
+    ends, found = {}, {}
+    for name, values in maps.items():
+        found[name] = ends.get(values.dtype, 0)
+        ends[values.dtype] = found[name] + values.size
+    return found
+
+
+def c_data(unit: Unit, data: KitData, part: str) -> str:
+    """`PART_set_up` and `PART_at_time` in C; the caller gives the texels of all maps, as in the files."""
+    takes = f"{part}_state *g, const float *texels, const unsigned char *bytes"
+    lines = [c_time(unit, data, part),
+             "// `texels`: the whole .f32 beside this file, `bytes`: the .u8; both must live as long as the state.",
+             f"static inline void {part}_set_up({takes}) {{"]  # fmt: skip
+    at = places(data.maps)
     for name, values in data.maps.items():
         rows, cols, channels = values.shape
-        lines.append(f"    g->{name} = (sea_map){{texels + {at}, {cols}, {rows}, {channels}}};")
-        at += values.size
+        where = f"0, bytes + {at[name]}" if values.dtype == np.uint8 else f"texels + {at[name]}, 0"
+        lines.append(f"    g->{name} = (texel_map){{{where}, {cols}, {rows}, {channels}}};")
     for one in unit.variables():
         lines += _c_values(one, data)
-    return "\n".join([*lines, "    sea_at_time(g, 0.0);", "}"]) + "\n"
+    return "\n".join([*lines, f"    {part}_at_time(g, 0.0);", "}"]) + "\n"
 
 
-def _c_values(one: Variable, data: SeaData) -> list[str]:
+def _c_values(one: Variable, data: KitData) -> list[str]:
     if one.way == "const" or one.type == "sampler2D":
         return []
     kind = one.type.removesuffix("[]")
@@ -91,7 +77,7 @@ def _c_values(one: Variable, data: SeaData) -> list[str]:
     return found
 
 
-def hlsl_data(unit: Unit, data: SeaData) -> str:
+def hlsl_data(unit: Unit, data: KitData) -> str:
     """The uniforms as globals with their values, sizes of the maps."""
     lines = []
     for one in unit.variables("uniform"):
@@ -109,27 +95,3 @@ def hlsl_data(unit: Unit, data: SeaData) -> str:
         else:
             lines.append(f"static {shown} {one.name} = {values[0]};")
     return "\n".join(lines) + "\n"
-
-
-def hlsl_time(data: SeaData) -> str:
-    """`sea_at_time` in HLSL, in float32."""
-    lines = [
-        "",
-        "// The sea at a time; in float32 good to a millimetre within the first quarter of an hour. A game that runs",
-        "// longer wraps the phases in double, as the C header does, and sets these globals from its own constants.",
-        "void sea_at_time(float t) {",
-    ]  # fmt: skip
-    if data.loop_s > 0:
-        lines.append(f"    t -= floor(t / {data.loop_s!r}) * {data.loop_s!r};")
-    lines += [
-        f"    float waves = t * {data.clock_hz:.9g};",
-        "    u_shore_clock = frac(waves);",
-        f"    u_shore_cycle = int(floor(waves)) % {CYCLES};",
-    ]
-    for phase in data.phases:
-        row = f"[{phase.row}]" if phase.row >= 0 else ""
-        rate, start = (number(value, "float", "") for value in (phase.rate_hz, phase.start))
-        text = f"frac({start} + {rate} * t)"
-        text = f"fmod(floor({start} + {rate} * t), {phase.turns}.0)" if phase.turns else text
-        lines.append(f"    {phase.uniform}{row}.{'xyzw'[phase.part]} = {text};")
-    return "\n".join([*lines, "}"]) + "\n"

@@ -9,8 +9,19 @@ from .write import TIGHT, Writer
 RENAMED = {"mix": "lerp", "fract": "frac", "findLSB": "firstbitlow"}
 WORDS = (
     "point line lineadj triangle triangleadj sample pass technique shared vector matrix string texture precise "
-    "linear centroid register packoffset out inout in lerp frac half fixed"
+    "linear centroid register packoffset out inout in lerp frac half fixed saturate noise interface near far"
 )
+
+# several parts of the kit may be read into one shader
+SIZE = """#ifndef SHOREWRIGHT_TEXTURE_SIZE
+#define SHOREWRIGHT_TEXTURE_SIZE
+int2 texture_size(Texture2D<float4> map) {
+    uint width, height;
+    map.GetDimensions(width, height);
+    return int2(width, height);
+}
+#endif
+"""
 
 
 class HlslWriter(Writer):
@@ -28,7 +39,8 @@ class HlslWriter(Writer):
         if of.text == "texelFetch":
             return f"{given[0]}.Load(int3({given[1]}, {given[2]}))", TIGHT + 2
         if of.text == "textureSize":
-            return f"{given[0]}_size", TIGHT + 2
+            known = of.parts[0].text in self.globals
+            return f"{given[0]}_size" if known else f"texture_size({given[0]})", TIGHT + 2
         if of.text in COMPARE:
             return f"({given[0]} {COMPARE[of.text]} {given[1]})", TIGHT + 2
         if of.text == "mod":  # fmod turns round below 0
@@ -67,6 +79,10 @@ class HlslWriter(Writer):
         return "" if one.size else f" = ({self.kind(one.type)})0"
 
     # the top
+
+    def text(self) -> str:
+        whole = super().text()
+        return f"{SIZE}\n{whole}" if "texture_size(" in whole else whole
 
     def variable(self, one: Variable) -> list[str]:
         if one.way == "uniform":

@@ -1,7 +1,7 @@
 // Surface reflection: GGX with height-correlated Smith shadowing over Lambert, and its split-sum for ambient light.
 // Sources: Walter et al. 2007; Heitz 2014; Karis, "Physically Based Shading on Mobile" (2014) for the fit.
 
-#include "lib/wind.glsl"
+#include "level/wind.glsl"
 
 const float PI = 3.14159265359;
 

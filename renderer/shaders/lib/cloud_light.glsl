@@ -1,6 +1,6 @@
 // Light in clouds (Z08 to Z11, Z15, Z17): how much of the sun gets to a place, how it is scattered on.
 #include "lib/sky.glsl"
-#include "lib/clouds.glsl"
+#include "level/clouds.glsl"
 
 uniform vec3 u_cloud_sun, u_cloud_above, u_cloud_below;  // sun klx; light from the sky and the ground
 uniform float u_clouds_forward, u_clouds_backward, u_clouds_silver, u_clouds_spread, u_clouds_powder;

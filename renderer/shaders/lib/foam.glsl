@@ -1,16 +1,10 @@
 // Foam (D04, H18): how much there is picks from thin lace to dense cover in one texture, without pops.
 #include "level/flow_places.glsl"
-#include "lib/noise.glsl"
-#include "lib/wind.glsl"
+#include "level/noise.glsl"
+#include "level/foam_texture.glsl"
 #include "lib/foam_beach.glsl"
 
-uniform sampler2D u_foam;        // R lace, G middle, B dense, each equalised; A bubbles
-uniform float u_foam_amount;
-uniform float u_whitecaps;       // share of the open sea that is white in this wind
-uniform vec4 u_cap_place, u_cap_age;  // of two generations: offset in tiles each; age −½ … ½ each, share of the caps each
 uniform float u_flow_noise, u_flow_noise_m;
-
-const float FOAM_TEXELS = 512.0;
 
 // Cover of foam for an amount 0 … 1. Fields are equalised: the part above 1 − amount is `amount` of the water.
 float foam_cover(vec4 fields, float amount, float lod) {
@@ -71,43 +65,6 @@ struct Foam {
 };
 
 const Foam NO_FOAM = Foam(0.0, 0.0, 0.0, 0.0, 0.0);
-
-// How foam lies in patches, 0 … 1: the same cells five times as wide, and broad clouds.
-float foam_patches(vec2 before, float pixel_m, out float near) {
-    float lod = log2(max(pixel_m * FOAM_TEXELS / (5.3 * u_foam_tile_m), 1.0));
-    near = textureLod(u_foam, turn(before, 0.29, 0.957) / (5.3 * u_foam_tile_m), lod).g;
-    return noise_at(before, 140.0, pixel_m).g * 0.55 + near * 0.45;
-}
-
-const float CAP_TILE_M = 120.0, CAP_FIELD_M = 430.0;  // a cap is a few metres wide, a field of them some tens
-const float CAP_DRIFT_M = 14.0;                       // a crest carries its cap so far
-const float CAP_AMOUNT = 0.78, CAP_COVER = 0.62;      // foam in a cap, and what it covers there after its texture
-const float CAP_LOST = 0.012;                         // the noise's peaks are blunt: what that costs, fitted to the mean
-
-// Amount of foam on the breaking crests of the open sea; `crest` height against the largest, mean 0. Caps are where two
-// noises are both high, so that each need only be asked for the root of the share: 8 bits know no rarer thing. `veil`
-// is the cover where pixels are too large for single caps.
-float whitecaps(vec2 xy, float crest, float pixel_m, out float veil) {
-    veil = 0.0;
-    if (u_whitecaps <= 0.0) return 0.0;
-    float coarse = smoothstep(1.5, 6.0, pixel_m);
-    veil = u_whitecaps * coarse;
-    if (coarse >= 1.0) return 0.0;
-    // crests lie across the wind
-    vec2 way = vec2(2.2 * dot(xy, u_wind_way), u_wind_way.x * xy.y - u_wind_way.y * xy.x);
-    float field = noise_at(way, CAP_FIELD_M, pixel_m).a;
-    float sum = 0.0;
-    for (int i = 0; i < 2; ++i) {
-        vec2 age = i == 0 ? u_cap_age.xz : u_cap_age.yw, place = i == 0 ? u_cap_place.xy : u_cap_place.zw;
-        float share = sqrt(u_whitecaps / CAP_COVER * age.y * clamp(1.0 + 2.0 * crest, 0.2, 1.8));
-        share = 1.03 * share + CAP_LOST * age.y;
-        float cap = noise_at(way - vec2(age.x * CAP_DRIFT_M, 0.0) + place * CAP_TILE_M, CAP_TILE_M, pixel_m).g;
-        vec2 edge = vec2(1.0 - share), wide = vec2(share);
-        vec2 in_it = smoothstep(edge - wide, edge + wide, vec2(field, cap));
-        sum = max(sum, in_it.x * in_it.y);
-    }
-    return sum * CAP_AMOUNT * (1.0 - coarse);
-}
 
 // The texture's answer to an amount of foam. `fresh` foam is bright and thick, `rim` a line of bubbles; `before`
 // undeformed xy; `flow` m/s; `to_light` horizontal, towards the sun.

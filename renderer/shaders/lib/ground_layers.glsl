@@ -1,7 +1,7 @@
 // The eight generated ground materials (L05; level/ground_textures.py): every layer is two fetches of both arrays, for
 // two patches of level ground or for the two upright planes of a steep one, and one of a larger scale. Software runs
 // both sides of every branch, so that what differs between layers is numbers and not code. GROUND_CHEAP: one fetch.
-#include "lib/noise.glsl"
+#include "level/noise.glsl"
 
 uniform sampler2DArray u_ground_shape;   // slope east, slope north, height, roughness
 uniform sampler2DArray u_ground_colour;  // sRGB albedo, slope² / 2

@@ -1,7 +1,7 @@
 // Cirrus and altocumulus on a sphere above the shell of the clouds: flat, four patterns each with a wind of its own (Z13).
 // Needs lib/sky.glsl and lib/fog.glsl where it is seen.
 
-#include "lib/noise.glsl"
+#include "level/noise.glsl"
 
 uniform sampler2D u_high_clouds;         // streaks, hooks, ripples, heaps
 uniform vec4 u_high_moved_ice, u_high_moved_heaps;  // metres each has moved, within its tile: two patterns each

@@ -1,6 +1,6 @@
 // The high layers as they are seen (Z13): thin ice that scatters forward, and small white heaps.
 #include "lib/fog.glsl"
-#include "lib/shell.glsl"
+#include "level/shell.glsl"
 #include "lib/high_clouds.glsl"
 uniform float u_clouds_high_m;
 

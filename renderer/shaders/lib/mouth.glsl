@@ -1,6 +1,6 @@
 // Where a river's water goes over into the sea's (D35): the plume of its jet, foam and flotsam along its sides, chop that
 // the current holds up. Numbers of the jet as in level/river_jet.py; `water` there is this plume without its eddies.
-#include "lib/noise.glsl"
+#include "level/noise.glsl"
 #include "lib/foam.glsl"
 
 const int MOST_MOUTHS = 16;

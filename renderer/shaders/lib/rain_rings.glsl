@@ -3,7 +3,7 @@
 #ifdef RAIN_RINGS
 #include "lib/rain_hash.glsl"
 #include "lib/rings.glsl"
-#include "lib/noise.glsl"
+#include "level/noise.glsl"
 
 uniform float u_rain_ripples;
 uniform float u_rain_share;       // of the cells that a drop falls into

@@ -1,9 +1,9 @@
 // How water looks that isn't the sea (D14 to D17, D19): where it goes, its ripples, its two layers of foam. There are no
 // foam lines by depth: they would jump with every step of the bed (Diablo IV talk).
 #include "level/river.glsl"
-#include "lib/noise.glsl"
+#include "level/noise.glsl"
 #include "lib/foam.glsl"
-#include "lib/current.glsl"
+#include "level/current.glsl"
 
 uniform vec3 u_river_cycle;  // as u_foam_cycle: part of a cycle, number of whole ones, seconds a cycle
 uniform float u_river_turns;

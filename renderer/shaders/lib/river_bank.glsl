@@ -1,6 +1,6 @@
 // The band over a river's level that is always wet: what laps and splashes reaches so high, grains draw it further.
 #include "level/river.glsl"
-#include "lib/noise.glsl"
+#include "level/noise.glsl"
 
 uniform float u_river_wet_m;
 

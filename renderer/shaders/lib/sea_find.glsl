@@ -1,6 +1,6 @@
 // Where a pixel's ray meets the wave: the mesh is off it by its curvature between vertices (D30, H21).
 #include "level/waves.glsl"
-#include "lib/noise.glsl"
+#include "level/noise.glsl"
 #include "lib/sea_below.glsl"
 
 uniform float u_swell_length_m, u_chop_length_m;

@@ -1,6 +1,6 @@
 // Sky, sun and cloud layer from what renderer/sky_light.py works out. Radiance in kcd/m², illuminance in klx, both times
 // the frame's unit. A direction below the horizon gets the horizon.
-#include "lib/noise.glsl"
+#include "level/noise.glsl"
 
 uniform sampler2D u_sky;            // rows: sqrt(elevation / 90°), columns: azimuth from the sun, 0 … 180°
 uniform vec3 u_sun_direction;       // towards the sun, or the moon

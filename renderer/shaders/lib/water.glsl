@@ -1,6 +1,6 @@
 // Light in water: ripples, the colour of depth, the mirror of a rough sea, light through crests (L07).
-#include "lib/noise.glsl"
-#include "lib/wind.glsl"
+#include "level/noise.glsl"
+#include "level/wind.glsl"
 
 uniform sampler2D u_ripple;      // slope east, slope north, slope², height; total variance of the slope is 1
 uniform vec4 u_ripple_way[3];    // cosine, sine of the way it goes; offset in tiles, wrapped on the CPU

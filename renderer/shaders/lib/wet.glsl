@@ -1,8 +1,8 @@
 // The wet shore (L06): what the waves of the last half minute left on the sand, in closed form from the shore clock, so
 // that sand and water share one phase (D03, D10, H20). Damp sand that dries, the film that mirrors the sky behind the
 // draining sheet, the lace at the line of its run-up.
-#include "lib/swash.glsl"
-#include "lib/noise.glsl"
+#include "level/swash.glsl"
+#include "level/noise.glsl"
 #include "lib/sky.glsl"
 #include "lib/foam.glsl"
 #include "level/patches.glsl"

@@ -1,13 +1,11 @@
 // How dense a cloud is at a place (Z01 to Z04, Z07, Z22). `h` is the place in the shell, 0 at its base, 1 at its top;
 // `weather` coverage, precipitation and gradient coordinate there. Everything is read at a given mip level.
-#include "lib/shell.glsl"
+#include "level/shell.glsl"
 
-uniform sampler3D u_cloud_shape;   // Perlin-Worley, three octaves of inverted Worley noise
-uniform sampler3D u_cloud_detail;  // three finer ones and their fBm
-uniform sampler2D u_cloud_curl;    // a field without divergence, about one half
-uniform sampler2D u_cloud_profile; // density by height, rows stratus, cumulus, cumulonimbus (Z03)
-#include "level/weather_map.glsl"
 uniform vec2 u_cloud_camera;       // east and north of the camera in the weather map, m
+#include "level/cloud_noise.glsl"
+#include "level/weather_map.glsl"
+
 uniform vec4 u_cloud_drift;        // east and north that the air has moved: within a tile of the shape, of the detail
 uniform vec4 u_cloud_way;          // the wind's way at the base, at the top
 uniform vec3 u_cloud_rise;         // tiles that the detail has risen, that curl has wandered, turn of the shape
@@ -16,7 +14,6 @@ uniform float u_clouds_anvil, u_clouds_shear_m, u_clouds_extinction;
 uniform bool u_cloud_terms_height, u_cloud_terms_coverage, u_cloud_terms_thin, u_cloud_terms_erode;
 uniform bool u_cloud_terms_inverted, u_cloud_terms_curl;
 
-const float CLOUD_TILE_M = 70000.0;
 const vec3 FBM = vec3(0.625, 0.25, 0.125);
 const float LOWEST = 0.5;  // height of the smallest cloud against its curve
 const float DETAIL_LOD = 0.5;  // its texels are finer than those of the shape
@@ -33,9 +30,7 @@ vec2 cloud_sheared(vec2 xy, float h) {
     return xy - mix(u_cloud_way.xy, u_cloud_way.zw, h) * (u_clouds_shear_m * h);
 }
 
-vec4 cloud_weather(vec2 sheared) {
-    return textureLod(u_weather, (u_cloud_camera + sheared) / CLOUD_TILE_M + 0.5, 0.0);
-}
+vec4 cloud_weather(vec2 sheared) { return weather_map(u_cloud_camera + sheared); }
 
 // Density by height of the type at gradient coordinate g; where coverage is small clouds are lower, so that they are
 // domes and towers and no tables.
@@ -43,14 +38,14 @@ float cloud_height(float g, float h, float cover) {
     h /= LOWEST + (1.0 - LOWEST) * cover;
     if (h > 1.0) return 0.0;
     if (!u_cloud_terms_height) return step(0.0, h) * step(h, 1.0);
-    return textureLod(u_cloud_profile, vec2((h * 63.0 + 0.5) / 64.0, (g * 2.0 + 0.5) / 3.0), 0.0).r;
+    return cloud_curve(vec2((h * 63.0 + 0.5) / 64.0, (g * 2.0 + 0.5) / 3.0));
 }
 
 // The low-frequency shape before anything else: Perlin-Worley dilated by the Worley fBm, 0 … 1.
 float cloud_shape(vec2 sheared, float altitude, float lod) {
     vec3 at = vec3(sheared + u_cloud_camera - u_cloud_drift.xy, altitude) / u_clouds_scale_m;
     at.z += u_cloud_rise.z;
-    vec4 noise = textureLod(u_cloud_shape, at, lod);
+    vec4 noise = cloud_shape_noise(at, lod);
     return remap(noise.r, dot(noise.gba, FBM) - 1.0, 1.0, 0.0, 1.0);
 }
 
@@ -86,10 +81,10 @@ float cloud_detail(vec2 sheared, float altitude, float h, float lod) {
     at.z -= u_cloud_rise.x;
     if (u_cloud_terms_curl) {
         vec2 place = (sheared + u_cloud_camera - u_cloud_drift.xy) / u_clouds_curl_m;
-        vec3 curl = textureLod(u_cloud_curl, place + vec2(u_cloud_rise.y, 0.5 * u_cloud_rise.y), 0.0).rgb - 0.5;
+        vec3 curl = cloud_curl_noise(place + vec2(u_cloud_rise.y, 0.5 * u_cloud_rise.y)) - 0.5;
         at += curl * (u_clouds_curl * (1.0 - clamp(h, 0.0, 1.0)));
     }
-    return textureLod(u_cloud_detail, at, max(lod + DETAIL_LOD, 0.0)).a;
+    return cloud_detail_noise(at, max(lod + DETAIL_LOD, 0.0)).a;
 }
 
 // Extinction 1/m of a base density: edges eroded, the inside whole.
