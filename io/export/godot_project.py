@@ -28,15 +28,16 @@ from .records import Decode, FileRecord, Manifest
 
 TEXTS = Path(__file__).parent / "godot_files"
 FILLED = ("project.godot", "main.tscn", "sea.gdshader")
-PROJECT = ("project", "The project itself: scene, scripts and shaders; brings height and kit along, which it reads.")
+PROJECT = ("project", "The project itself: scene, scripts and shaders; brings height, kit and cover along, which it reads.")
 HEIGHT = ("height", "The ground over the sea, 16 bits, sample for sample.")
+NEEDS = {HEIGHT[0], kit.NAME, "cover_weights", "cover_weights_2"}
 MAPS = (PROJECT, HEIGHT, flow.MAP, *common.told())
 
 
 def export(job: Job) -> Manifest:
     """Write the chosen maps, and with `project` what it needs of them."""
     if PROJECT[0] in job.maps:
-        job = replace(job, maps=job.maps | {HEIGHT[0], kit.NAME})
+        job = replace(job, maps=job.maps | NEEDS)
     grid = job.level.grid
     layout = terrain3d_layout(grid.shape, grid.cell_m)
     terrain = terrain_of(layout, "project", *range_m(job.level))

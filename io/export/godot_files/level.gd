@@ -78,25 +78,25 @@ func _hand_ground(stem: String) -> void:
 func _hand_looks(stem: String) -> void:
 	sea_material.set_shader_parameter("absorption_per_m", absorption_per_m)
 	sea_material.set_shader_parameter("backscatter_per_m", backscatter_per_m)
-	sea_material.set_shader_parameter("ripples", _noise(FastNoiseLite.TYPE_SIMPLEX_SMOOTH, 0.03, true))
-	sea_material.set_shader_parameter("lace", _noise(FastNoiseLite.TYPE_CELLULAR, 0.06, false))
-	for pair: Array in [["cover_weights", ground_material], ["foam", sea_material]]:
-		var path := "%s_%s.png" % [stem, pair[0]]
+	sea_material.set_shader_parameter("ripples", _ripples())
+	var lace: Image = sea.textures.u_foam.get_image()
+	lace.generate_mipmaps()
+	sea_material.set_shader_parameter("lace", ImageTexture.create_from_image(lace))
+	for name: String in ["cover_weights", "cover_weights_2"]:
+		var path := "%s_%s.png" % [stem, name]
 		if FileAccess.file_exists(path):
 			var image := Image.new()
 			image.load_png_from_buffer(FileAccess.get_file_as_bytes(path))
-			pair[1].set_shader_parameter(pair[0], ImageTexture.create_from_image(image))
-			pair[1].set_shader_parameter("has_" + pair[0], true)
+			ground_material.set_shader_parameter(name, ImageTexture.create_from_image(image))
+			ground_material.set_shader_parameter("has_cover", true)
 
 
-func _noise(kind: FastNoiseLite.NoiseType, frequency: float, bumps: bool) -> ImageTexture:
+func _ripples() -> ImageTexture:
 	var noise := FastNoiseLite.new()
-	noise.noise_type = kind
-	noise.frequency = frequency
-	noise.cellular_return_type = FastNoiseLite.RETURN_DISTANCE2_SUB
+	noise.noise_type = FastNoiseLite.TYPE_SIMPLEX_SMOOTH
+	noise.frequency = 0.03
 	var image := noise.get_seamless_image(RIPPLES, RIPPLES)
-	if bumps:
-		image.convert(Image.FORMAT_RGBA8)
-		image.bump_map_to_normal_map(6.0)
+	image.convert(Image.FORMAT_RGBA8)
+	image.bump_map_to_normal_map(6.0)
 	image.generate_mipmaps()
 	return ImageTexture.create_from_image(image)

@@ -1,70 +1,143 @@
 extends RefCounted
-## The numbers and maps of a level's sea, and what they are at a time: what `NAME_sea.gdshaderinc` needs of a material.
+## The numbers and maps of a level's sea or sky, and what they are at a time: what the kit's shader needs of a material.
+##
+## The formulas are those that NAME_sea.json and NAME_sky.json tell.
 
-var clock_hz := 0.0
-var loop_s := 0.0
-var uniforms := {}
-var phases := []
+var numbers: Dictionary
+var uniforms: Dictionary
 var textures := {}
 
+var _known := {}
 
-## Read NAME_sea.json and NAME_sea.f32.
-func _init(stem: String) -> void:
-	var numbers: Dictionary = JSON.parse_string(FileAccess.get_file_as_string(stem + "_sea.json"))
-	var texels := FileAccess.get_file_as_bytes(stem + "_sea.f32")
+
+## Read NAME_sea.json and the maps that it names; `part` may be "sky" too.
+func _init(stem: String, part := "sea") -> void:
+	numbers = JSON.parse_string(FileAccess.get_file_as_string("%s_%s.json" % [stem, part]))
 	uniforms = numbers.uniforms
-	phases = numbers.phases
-	clock_hz = numbers.clock_hz
-	loop_s = numbers.loop_s
+	var files := {}
 	for sampler: String in numbers.maps:
-		textures[sampler] = _texture(numbers.maps[sampler], texels)
-
-
-func _texture(map: Dictionary, texels: PackedByteArray) -> ImageTexture:
-	var format := Image.FORMAT_RGBAF if map.channels == 4 else Image.FORMAT_RGF
-	var size: int = map.width * map.height * map.channels
-	var part := texels.slice(4 * map.offset, 4 * (map.offset + size))
-	return ImageTexture.create_from_image(Image.create_from_data(map.width, map.height, false, format, part))
+		var name: String = numbers.maps[sampler].file
+		if not files.has(name):
+			files[name] = FileAccess.get_file_as_bytes(stem.get_base_dir().path_join(name))
+		textures[sampler] = _texture(numbers.maps[sampler], files[name])
 
 
 ## Hand a material all of it, as it is at time 0.
 func hand_to(material: ShaderMaterial) -> void:
 	for sampler: String in textures:
 		material.set_shader_parameter(sampler, textures[sampler])
-	var kinds := _kinds(material)
-	for uniform: String in uniforms:
-		material.set_shader_parameter(uniform, _value(kinds.get(uniform, TYPE_FLOAT), uniforms[uniform]))
+	_hand(material, uniforms.keys())
 
 
-## Bring a material's sea to a time: in doubles, so that after a week of play no wave stands still or jumps.
+## Bring a material to a time: in doubles, so that after a week of play no wave stands still or jumps.
 func bring_to(material: ShaderMaterial, time_s: float) -> void:
+	var loop_s: float = numbers.get("loop_s", 0.0)
 	var t := fposmod(time_s, loop_s) if loop_s > 0.0 else time_s
 	var changed := {}
-	for phase: Dictionary in phases:
-		var cycles: float = phase.start + phase.rate_hz * t
-		var value := fposmod(floorf(cycles), phase.turns) if phase.turns > 0 else cycles - floorf(cycles)
-		var part: Array = uniforms[phase.uniform] if phase.row < 0 else uniforms[phase.uniform][phase.row]
-		part[phase.part] = value
-		changed[phase.uniform] = true
-	var waves := t * clock_hz
-	uniforms.u_shore_clock = waves - floorf(waves)
-	uniforms.u_shore_cycle = fposmod(floorf(waves), 4096.0)
-	changed.merge({"u_shore_clock": true, "u_shore_cycle": true})
-	var kinds := _kinds(material)
-	for uniform: String in changed:
-		material.set_shader_parameter(uniform, _value(kinds.get(uniform, TYPE_FLOAT), uniforms[uniform]))
+	if numbers.has("track"):
+		_follow(numbers.track, t, changed)
+	for phase: Dictionary in numbers.phases:
+		if t >= phase.from_s:
+			_put(phase, phase.offset + phase.scale * _form(phase, phase.start + phase.rate_hz * t))
+			changed[phase.uniform] = true
+	if numbers.has("clock_hz"):
+		var waves: float = t * numbers.clock_hz
+		uniforms.u_shore_clock = waves - floorf(waves)
+		uniforms.u_shore_cycle = fposmod(floorf(waves), 4096.0)
+		changed.merge({"u_shore_clock": true, "u_shore_cycle": true})
+	if numbers.has("tide"):
+		for name: String in numbers.tide.base:
+			uniforms[name] = numbers.tide.base[name] + tide_m(t)
+			changed[name] = true
+	_hand(material, changed.keys())
 
 
-var _known := {}
+## How high the tide is over the mean sea, m.
+func tide_m(t: float) -> float:
+	var tide: Dictionary = numbers.tide
+	var part: float = fposmod((t - tide.high_s) / tide.period_s, 1.0)
+	var points: int = tide.curve.size() / 2
+	for n in range(points - 1, -2, -1):
+		var low := posmod(n, points)
+		var high := (n + 1) % points
+		var p0: float = tide.curve[2 * low] - float(n < 0)
+		if part >= p0:
+			var p1: float = tide.curve[2 * high] + float(n == points - 1)
+			var h0: float = tide.curve[2 * low + 1]
+			var h1: float = tide.curve[2 * high + 1]
+			return tide.range_m * (h0 + (h1 - h0) * (1.0 - cos(PI * (part - p0) / (p1 - p0))) / 2.0 - 0.5)
+	return 0.0
 
 
-func _kinds(material: ShaderMaterial) -> Dictionary:
+func _form(phase: Dictionary, cycles: float) -> float:
+	var part := cycles - floorf(cycles)
+	var whole := fposmod(floorf(cycles), phase.turns) if phase.turns > 0 else floorf(cycles)
+	match phase.form:
+		"whole":
+			return whole
+		"ramp":
+			return 1.0 - absf(2.0 * part - 1.0)
+		"cos":
+			return cos(TAU * part)
+		"sin":
+			return sin(TAU * part)
+		"hop":
+			return fposmod(phase.first + phase.hop * whole, 1.0)
+		"fold":
+			return fposmod(phase.first + phase.hop * part, 1.0)
+	return part
+
+
+func _put(phase: Dictionary, value: float) -> void:
+	if uniforms[phase.uniform] is not Array:
+		uniforms[phase.uniform] = value
+		return
+	var row: Array = uniforms[phase.uniform]
+	if phase.row >= 0 and row[phase.row] is Array:
+		row = row[phase.row]
+		row[phase.part] = value
+	else:
+		row[phase.row if phase.row >= 0 else phase.part] = value
+
+
+## Straight lines between the knots of a track.
+func _follow(track: Dictionary, t: float, changed: Dictionary) -> void:
+	var times: Array = track.times_s
+	var n := clampi(times.bsearch(t, false) - 1, 0, times.size() - 2)
+	var share := clampf((t - times[n]) / (times[n + 1] - times[n]), 0.0, 1.0)
+	for name: String in track.uniforms:
+		uniforms[name] = _mixed(track.uniforms[name][n], track.uniforms[name][n + 1], share)
+		changed[name] = true
+
+
+func _mixed(a: Variant, b: Variant, share: float) -> Variant:
+	if a is not Array:
+		return lerpf(a, b, share)
+	var found := []
+	for i: int in a.size():
+		found.append(_mixed(a[i], b[i], share))
+	return found
+
+
+func _texture(map: Dictionary, all: PackedByteArray) -> ImageTexture:
+	var floats: bool = map.format == "float32"
+	var formats := {2: Image.FORMAT_RGF, 4: Image.FORMAT_RGBAF} if floats else {3: Image.FORMAT_RGB8, 4: Image.FORMAT_RGBA8}
+	var width := 4 if floats else 1
+	var size: int = map.width * map.height * map.channels
+	var part := all.slice(width * map.offset, width * (map.offset + size))
+	var format: Image.Format = formats[int(map.channels)]
+	return ImageTexture.create_from_image(Image.create_from_data(map.width, map.height, false, format, part))
+
+
+## Uniforms by name, each as the shader declares it.
+func _hand(material: ShaderMaterial, names: Array) -> void:
 	var shader := material.shader.get_rid()
 	if not _known.has(shader):
 		_known[shader] = {}
 		for uniform: Dictionary in RenderingServer.get_shader_parameter_list(shader):
 			_known[shader][uniform.name] = uniform.type
-	return _known[shader]
+	for name: String in names:
+		material.set_shader_parameter(name, _value(_known[shader].get(name, TYPE_FLOAT), uniforms[name]))
 
 
 func _value(kind: int, raw: Variant) -> Variant:
@@ -73,12 +146,18 @@ func _value(kind: int, raw: Variant) -> Variant:
 			return bool(raw)
 		TYPE_INT:
 			return int(raw)
-		TYPE_VECTOR2, TYPE_VECTOR2I:
+		TYPE_VECTOR2:
 			return Vector2(raw[0], raw[1])
-		TYPE_VECTOR3, TYPE_VECTOR3I:
+		TYPE_VECTOR3:
 			return Vector3(raw[0], raw[1], raw[2])
-		TYPE_VECTOR4, TYPE_VECTOR4I, TYPE_COLOR:
+		TYPE_VECTOR4:
 			return Vector4(raw[0], raw[1], raw[2], raw[3])
+		TYPE_VECTOR2I:
+			return Vector2i(raw[0], raw[1])
+		TYPE_VECTOR3I:
+			return Vector3i(raw[0], raw[1], raw[2])
+		TYPE_VECTOR4I:
+			return Vector4i(raw[0], raw[1], raw[2], raw[3])
 		TYPE_PACKED_VECTOR2_ARRAY:
 			return PackedVector2Array(raw.map(func(v): return Vector2(v[0], v[1])))
 		TYPE_PACKED_VECTOR3_ARRAY:
@@ -95,8 +174,5 @@ func _value(kind: int, raw: Variant) -> Variant:
 func _flat(raw: Array) -> Array:
 	var found := []
 	for value: Variant in raw:
-		if value is Array:
-			found.append_array(value)
-		else:
-			found.append(value)
+		found.append_array(value if value is Array else [value])
 	return found
