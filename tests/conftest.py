@@ -30,7 +30,7 @@ DATA = TESTS.parents[1] / "shared" / "data"
 # The slowest files begin: two processes share the files, and one that begins last is waited for.
 FIRST = ("test_window_weather", "test_goldens", "test_window_panels", "test_window", "test_shaping_coasts",
          "test_window_fronts", "test_sample_levels", "test_window_time", "test_renderer_surface", "test_views",
-         "test_slow_map", "test_renderer", "test_shots")  # fmt: skip
+         "test_slow_map", "test_renderer", "test_shots", "test_clients_meshes")  # fmt: skip
 
 
 def pytest_collection_modifyitems(items) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from clients.browser import browse
 from clients.odd import ODD, SAMPLES, odd_coast
-from clients.programs import SCRIPTS, ran, run_babylon, run_blender
+from clients.programs import SCRIPTS, need, ran, run_babylon, run_blender
 from clients.solids import TERRAIN, read_solids, true_solids
 from scipy import ndimage
 from shorewright.io import read_level
@@ -29,8 +29,8 @@ SAME_WAY = {"beach": 0.88, "props": 0.88}  # parts whose UVs fold: at a beach's 
 
 
 @pytest.fixture(scope="module", params=ODD)
-def coast(request, data_dir):
-    return odd_coast(request.param, data_dir)
+def coast(request):
+    return odd_coast(request)
 
 
 @pytest.fixture(scope="module")
@@ -79,6 +79,7 @@ def test_khronos_finds_nothing_wrong(coast, files):
 
 def test_khronos_finds_nothing_wrong_in_a_delta(tmp_path):
     """T09: the same for the level with the most rivers."""
+    need("Khronos")
     paths = export(read_level(SAMPLES / "delta.shore"), "raw", tmp_path / "out", KINDS, name="delta")
     valid([path for path in paths if path.suffix == ".glb"])
 
@@ -165,6 +166,7 @@ def lies(parts, mask, coast) -> None:
 
 def test_recast_finds_a_way_along_the_beach(tmp_path):
     """T09, D31: a navmesh of the walkable mesh leads along the cove's beach, nowhere else than where one can walk."""
+    need("Recast")
     level = read_level(SAMPLES / "cove.shore")
     path, _ = export(level, "raw", tmp_path / "out", ["walkable_mesh"], name="cove")
     free = walkable(level)

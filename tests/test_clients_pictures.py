@@ -17,12 +17,12 @@ from shorewright.io.export import export
 from shorewright.io.export.map_rows import MAPS
 
 EXPORTED = {"unreal": ("height", "normals"), "unity": ("height", "normals", "flow16"), "godot": ("height", "flow16"),
-        "raw": ("height",)}  # fmt: skip
+        "godot-hterrain": ("height",), "raw": ("height",)}  # fmt: skip
 
 
 @pytest.fixture(scope="module", params=ODD)
-def coast(request, data_dir):
-    return odd_coast(request.param, data_dir)
+def coast(request):
+    return odd_coast(request)
 
 
 @pytest.fixture(scope="module")
@@ -76,6 +76,7 @@ def vrt(path, record) -> str:
         ("unreal", "height.r16"),
         ("unity", "height.raw"),
         ("godot", "height.r16"),
+        ("godot-hterrain", "height.raw"),
         ("raw", "height.r16"),
         ("unreal", "normals.png"),
         ("unity", "normals.png"),

@@ -100,6 +100,11 @@ def test_glb_carries_normals_and_texture_coordinates(tmp_path):
 
     normals = attribute("NORMAL", 3)
     np.testing.assert_allclose(normals, np.tile(np.array([-0.3, 1, 0.4]) / np.sqrt(1.25), (108, 1)), atol=1e-6)
+    uphill = np.array([1, 0.3, 0]) / np.sqrt(1.09)  # to the east along the plane
+    tangents = attribute("TANGENT", 4)
+    assert (tangents[:, 3] == 1).all()
+    assert np.abs((tangents[:, :3] * normals).sum(1)).max() < 1e-6
+    assert (tangents[:, :3] @ uphill).min() > 0.9
     uv = attribute("TEXCOORD_0", 2).reshape(9, 12, 2)
     np.testing.assert_allclose(uv[..., 0], east / 22, atol=1e-6)
     np.testing.assert_allclose(uv[..., 1], 1 - north / 16, atol=1e-6)  # glTF: v = 0 is the picture's top, the north

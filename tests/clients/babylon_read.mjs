@@ -26,8 +26,9 @@ for (const file of files) {
   fs.mkdirSync(folder);
   for (const mesh of scene.meshes.filter(one => one.getTotalVertices() > 0)) {
     const matrix = mesh.computeWorldMatrix(true);
-    const kinds = { positions: ["position", 3, Vector3.TransformCoordinates], normals: ["normal", 3, Vector3.TransformNormal],
-      tangents: ["tangent", 4, Vector3.TransformNormal], uv: ["uv", 2, null], colours: ["color", 4, null] };
+    const { TransformCoordinates: moved, TransformNormal: turned } = Vector3;
+    const kinds = { positions: ["position", 3, moved], normals: ["normal", 3, turned], tangents: ["tangent", 4, turned],
+      uv: ["uv", 2, null], colours: ["color", 4, null] };
     for (const [name, [kind, width, move]] of Object.entries(kinds)) {
       let values = mesh.getVerticesData(kind);
       if (!values) continue;

@@ -44,12 +44,13 @@ class _Desk(http.server.SimpleHTTPRequestHandler):
 
 def browse(client: str, page: str, files: dict[str, Path], out: Path, seconds: float = 120.0) -> None:
     """Opens `page` of `clients/` (with its query) and waits till it posts `done`; AssertionError when it fails."""
+    command = need(client).command
     ended = threading.Event()
     desk = functools.partial(_Desk, files=files, out=out, ended=ended)
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), desk)
     threading.Thread(target=server.serve_forever, daemon=True).start()
     url = f"http://127.0.0.1:{server.server_port}/{page}"
-    command = [need(client).command, *FLAGS.split(), f"--user-data-dir={out / 'profile'}", url]
+    command = [command, *FLAGS.split(), f"--user-data-dir={out / 'profile'}", url]
     browser = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
         assert ended.wait(seconds), f"{client} came to no end in {seconds:g} s"

@@ -33,11 +33,13 @@ class Coast:
         return np.array([*self.level.grid.to_metres(row, col), self.level.height[row, col]], float)
 
 
-def odd_coast(name: str, real_files: Path) -> Coast:
-    """A sample level, or Pyramid Rock out of the folder of real files."""
+def odd_coast(request) -> Coast:
+    """The level that a fixture's parameter names: a sample level, or Pyramid Rock, which skips without its file."""
+    name = request.param
     if name == "pyramid_rock":
-        height = import_height(real_files / "coasts/pyramidrock_hi.celeris.txt", cell_m="2x1", rows="south-first")
-        level = Level(Grid(*height.height.shape, 1.0), height.height)
+        file = request.getfixturevalue("data_dir") / "coasts/pyramidrock_hi.celeris.txt"
+        height = import_height(file, cell_m="2x1", rows="south-first").height
+        level = Level(Grid(*height.shape, 1.0), height)
     else:
         level = read_level(SAMPLES / f"{name}.shore")
     row, col = ODD[name]

@@ -1,5 +1,5 @@
-// What three.js makes of the files named in the page's query: arrays of meshes, a row a corner of a triangle; samples of
-// EXR pictures in its own order; where a ray down through the ground hits; and a picture of all meshes together.
+// What three.js makes of the files named in the page's query: arrays of meshes, a row a corner of a triangle; samples
+// of EXR pictures in its own order; where a ray down through the ground hits; and a picture of all meshes together.
 import * as THREE from "three";
 import { EXRLoader } from "three/addons/loaders/EXRLoader.js";
 import { GLTFLoader } from "three/addons/loaders/GLTFLoader.js";
@@ -33,7 +33,8 @@ await post("done", "");
 async function postArrays(file, mesh) {
   const { geometry, matrixWorld } = mesh, turn = new THREE.Matrix3().getNormalMatrix(matrixWorld);
   const placed = { positions: geometry.attributes.position.clone().applyMatrix4(matrixWorld),
-    normals: geometry.attributes.normal.clone().applyNormalMatrix(turn), uv: geometry.attributes.uv, colours: geometry.attributes.color,
+    normals: geometry.attributes.normal.clone().applyNormalMatrix(turn),
+    uv: geometry.attributes.uv, colours: geometry.attributes.color,
     tangents: geometry.attributes.tangent?.clone().transformDirection(matrixWorld) };
   for (const [name, attribute] of Object.entries(placed)) {
     if (!attribute) continue;
