@@ -12,6 +12,7 @@ from clients.browser import browse
 from clients.odd import ODD, SAMPLES, odd_coast
 from clients.programs import SCRIPTS, need, ran, run_babylon, run_blender
 from clients.solids import TERRAIN, read_solids, true_solids
+from coasts import make_beach
 from scipy import ndimage
 from shorewright.io import read_level
 from shorewright.io.export import export
@@ -182,3 +183,18 @@ def test_recast_finds_a_way_along_the_beach(tmp_path):
     x, _, z = (np.interp(step, np.arange(len(points)), points[:, axis]) for axis in range(3))
     near = ndimage.binary_dilation(free)
     assert near[np.rint(-z).astype(int), np.rint(x).astype(int)].all()
+
+
+def test_meshes_lie_on_unitys_terrain(tmp_path):
+    """T09: an importer that negates X, as those for Unity do, gets X east, Z north and the sea at Y 0."""
+    need("Babylon")
+    level = make_beach(rows=97, cols=113)
+    level.set("level.sea_level_m", 0.5)
+    out = tmp_path / "out"
+    export(level, "unity", out, ["beach"], name="bay")
+    (tmp_path / "read").mkdir()
+    run_babylon(tmp_path / "read", [out / "bay_beach.glb"])
+    for part in MESHES["beach"].make(level)[0]:
+        read = np.fromfile(tmp_path / "read" / "bay_beach.glb" / f"{part.name}.positions.f32", "<f4").reshape(-1, 3)
+        east, north, up = part.positions[part.triangles].reshape(-1, 3).T
+        assert np.abs(read - np.stack([east, up - 0.5, north], -1)).max() < 1e-4

@@ -28,7 +28,7 @@ from .records import Decode, FileRecord, Manifest
 
 TEXTS = Path(__file__).parent / "godot_files"
 FILLED = ("project.godot", "main.tscn", "sea.gdshader")
-PROJECT = ("project", "The project itself: scene, scripts and shaders; brings height, kit and cover along, which it reads.")
+PROJECT = ("project", "The project: scene, scripts and shaders; brings height, kit and cover along, which it reads.")
 HEIGHT = ("height", "The ground over the sea, 16 bits, sample for sample.")
 NEEDS = {HEIGHT[0], kit.NAME, "cover_weights", "cover_weights_2"}
 MAPS = (PROJECT, HEIGHT, flow.MAP, *common.told())
