@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.spatial import Delaunay, cKDTree
 
+from .beach_even import evened
 from .beach_fit import fitted
 from .beach_uv import Shoreline, charted, shoreline
 from .level import Level
@@ -93,6 +94,7 @@ def _made(level: Level, key: tuple) -> BeachMeshes | None:
     where, u, tangent, triangles = charted(line, xy, triangles)
     xy, border, bias = xy[where], border[where], bias[where]
     off_m = _signed_m(field, xy)
+    u = evened(xy, triangles, u, off_m)
     across = settings.seaward_m + settings.landward_m
     uv = np.stack([u, (settings.seaward_m - off_m) / across], -1)
     colours = np.stack([bias, _near(settings, off_m), _foam(level, xy), _contact(level, xy)], -1)

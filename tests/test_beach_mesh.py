@@ -5,6 +5,7 @@ import pytest
 from coasts import make_beach
 from scipy.spatial import cKDTree
 from shorewright.level import Grid, Level
+from shorewright.level.beach_even import shape_slopes
 from shorewright.level.beach_fit import LEAST_M, _misses
 from shorewright.level.beach_mesh import CLEAR_M, _border, beach_cells, beach_mesh
 from shorewright.level.beach_raster import beach_raster
@@ -92,6 +93,18 @@ def test_u_runs_on_within_every_triangle(level):
         assert np.abs(u[:, a] - u[:, b]).max() < 60
 
 
+def test_u_grows_everywhere(level):
+    """H03: no fan of triangles has one u throughout, few run backwards, and the waterline keeps its own length."""
+    mesh = beach_mesh(level)
+    slopes, area = shape_slopes(mesh.xy, mesh.triangles)
+    grows = np.linalg.norm(np.einsum("tk,tkd->td", mesh.uv[:, 0][mesh.triangles], slopes), axis=1)
+    assert area[grows < 0.1].sum() < 0.02 * area.sum()
+    along = np.einsum("td,td->t", np.einsum("tk,tkd->td", mesh.uv[:, 0][mesh.triangles], slopes),
+                      mesh.tangent[mesh.triangles].mean(1))  # fmt: skip
+    assert area[along < 0].sum() < 0.05 * area.sum()
+    assert 0.8 < np.average(grows, weights=area) < 1.4
+
+
 def test_a_straight_beach_in_closed_form():
     """H03: u is the way west with the sea on the left, v straight across, masks by distance."""
     level = make_beach()
@@ -114,7 +127,7 @@ def test_round_an_island_u_is_its_circumference():
     """H03: the curve is closed, its seam is the only place where u starts anew."""
     mesh = beach_mesh(island())
     round_it = 2 * np.pi * 45.0
-    assert np.ptp(mesh.uv[:, 0]) == pytest.approx(round_it, abs=20)
+    assert np.ptp(mesh.uv[:, 0]) == pytest.approx(round_it, abs=30)  # beside the seam it runs on
     on_line = np.abs(mesh.colours[:, 1] - 1) < 0.02
     angle = np.arctan2(mesh.xy[on_line, 1] - 100, mesh.xy[on_line, 0] - 100)
     phase = (mesh.uv[on_line, 0] / 45.0 + angle) % (2 * np.pi)  # clockwise: the sea is on the left

@@ -26,7 +26,7 @@ READ = {"cove": (TERRAIN, "beach", "rivers", "props"), "pyramid_rock": (TERRAIN,
 # Of each array the largest difference, m for places; Blender keeps colours as bytes and normals in 16 bits.
 TOLERANCES = {"positions": 1e-4, "normals": 1e-4, "tangents": 1e-4, "uv": 2e-4, "colours": 1e-5}
 COARSER = {"Blender": {"normals": 0.02, "colours": 0.005}}
-SAME_WAY = {"beach": 0.88, "props": 0.88}  # parts whose UVs fold: at a beach's ends, under a hull seen from above
+SAME_WAY = {"beach": 0.9, "props": 0.88}  # parts whose UVs fold: at a beach's ends, under a hull seen from above
 
 
 @pytest.fixture(scope="module", params=ODD)

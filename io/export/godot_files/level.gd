@@ -68,20 +68,20 @@ func _hand_ground(stem: String) -> void:
 	var words := FileAccess.get_file_as_bytes(stem + "_height.r16")
 	var cols := roundi(size_m.x / cell_m) + 1
 	var image := Image.create_from_data(cols, words.size() / 2 / cols, false, Image.FORMAT_RG8, words)
-	for material: ShaderMaterial in [ground_material, sea_material]:
-		material.set_shader_parameter("size_m", size_m)
+	sea_material.set_shader_parameter("look_size_m", size_m)
+	ground_material.set_shader_parameter("size_m", size_m)
 	ground_material.set_shader_parameter("height_words", ImageTexture.create_from_image(image))
 	ground_material.set_shader_parameter("height_range_m", height_range_m)
 	ground_material.set_shader_parameter("cell_m", cell_m)
 
 
 func _hand_looks(stem: String) -> void:
-	sea_material.set_shader_parameter("absorption_per_m", absorption_per_m)
-	sea_material.set_shader_parameter("backscatter_per_m", backscatter_per_m)
-	sea_material.set_shader_parameter("ripples", _ripples())
+	sea_material.set_shader_parameter("look_absorption_per_m", absorption_per_m)
+	sea_material.set_shader_parameter("look_backscatter_per_m", backscatter_per_m)
+	sea_material.set_shader_parameter("look_ripples", _ripples())
 	var lace: Image = sea.textures.u_foam.get_image()
 	lace.generate_mipmaps()
-	sea_material.set_shader_parameter("lace", ImageTexture.create_from_image(lace))
+	sea_material.set_shader_parameter("look_lace", ImageTexture.create_from_image(lace))
 	for name: String in ["cover_weights", "cover_weights_2"]:
 		var path := "%s_%s.png" % [stem, name]
 		if FileAccess.file_exists(path):
