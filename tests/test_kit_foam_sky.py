@@ -20,6 +20,9 @@ void main() {
     Sea sea = sea_surface(in_at);
     float column = water_column(sea, sea.position.z);
     v_amount = foam_amount(sea, on_face(in_at, sea), column, 1.0, PAINT, current_at(in_at), true, 0.0, 0.0).amount;
+#ifdef RIVERS
+    v_amount *= 1.0 - sea.river.share;
+#endif
 }
 """
 CLOUD = """
