@@ -159,7 +159,8 @@ def cloud_textures(ctx, source):
         if name == "u_cloud_detail_half":
             continue
         if name in ("u_cloud_shape", "u_cloud_detail"):
-            one = ctx.texture3d((cols,) * 3, channels, values.tobytes(), alignment=1)
+            cube = CLOUD_NOISES[name]()
+            one = ctx.texture3d(cube.shape[2::-1], channels, cube.tobytes(), alignment=1)
             one.build_mipmaps()
             one.filter = ctx.LINEAR_MIPMAP_LINEAR, ctx.LINEAR
         else:
