@@ -63,10 +63,7 @@ def test_godots_sea_is_the_editors(name, tmp_path):
         apart.append(np.abs(found[here, :3] - twin))
         flow = np.stack(current(level).at(asks[here, 1], asks[here, 2]), -1)
         assert np.abs(found[here, 6:] - flow).max() < 1e-4
-    apart = np.concatenate(apart)
-    assert apart[:, 2].max() < 1e-3
-    # a few points in a thousand lie where two waves take over from each other, and floats decide by how far to the side
-    assert np.quantile(apart[:, :2], 0.995) < 1e-3
+    assert np.concatenate(apart).max() < 1e-3
 
 
 @pytest.mark.parametrize("name", ODD)

@@ -204,3 +204,11 @@ def test_the_same_level_gives_the_same_text(word):
     one, other = (text_of(sources(clouded(), "bay", "sea"), "bay", word) for _ in range(2))
     assert one == other
     assert isinstance(sources(clouded(), "bay", "sky"), Source)
+
+
+def test_a_changed_shader_is_exported_anew():
+    """T09: what tells an export that the kit would come out the same knows the shaders too."""
+    from shorewright.io.export.follows import code_files
+
+    names = {path.name for path in code_files()}
+    assert {"waves.glsl", "foam_amount.glsl", "cubes.glsl", "run.py"} < names

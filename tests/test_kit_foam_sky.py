@@ -75,8 +75,8 @@ def test_foam_is_the_editors(name, ctx, tmp_path):
         glsl = run_glsl(ctx, source, t, asks[:, 1:], "in vec2 in_at; out float v_amount;", body, {"v_amount": 1})[:, 0]
         for ours in (c, glsl):
             off = np.abs(ours - its)
-            assert off.mean() < 2e-3
-            assert np.quantile(off, 0.99) < 0.02
+            assert off.mean() < 5e-4
+            assert off.max() < 0.02
         assert np.abs(c - glsl).max() < 5e-3
 
 
@@ -162,7 +162,8 @@ def cloud_textures(ctx, source):
         if name == "u_cloud_detail_half":
             continue
         if name in ("u_cloud_shape", "u_cloud_detail"):
-            one = ctx.texture3d((cols,) * 3, channels, values.tobytes(), alignment=1)
+            cube = CLOUD_NOISES[name]()
+            one = ctx.texture3d(cube.shape[2::-1], channels, cube.tobytes(), alignment=1)
             one.build_mipmaps()
             one.filter = ctx.LINEAR_MIPMAP_LINEAR, ctx.LINEAR
         else:

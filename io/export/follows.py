@@ -17,6 +17,7 @@ from ...level import Level
 from .manifest import layer_digest, source_sha256
 
 ROOMS = ("level", "io")  # all that an exporter calls
+CODE = (".py", ".glsl", ".gd", ".gdshader")
 
 
 def follows_sha256(level: Level, asked: list[str], layers: tuple[str, ...], known: dict[str, str]) -> str:
@@ -40,13 +41,18 @@ def _layer(level: Level, name: str) -> str:
     return digest.hexdigest()
 
 
+def code_files() -> list[Path]:
+    """The files that decide what is written: modules, shaders that the kit is made from, scripts that are handed on."""
+    home = Path(__file__).parents[2]
+    return sorted(path for room in ROOMS for path in (home / room).rglob("*") if path.suffix in CODE)
+
+
 @lru_cache(1)
 def code_sha256() -> str:
-    """A hash of the modules that decide what is written, and of the array library's version."""
+    """A hash of those, and of the array library's version."""
     home = Path(__file__).parents[2]
     digest = hashlib.sha256(np.__version__.encode())
-    for room in ROOMS:
-        for path in sorted((home / room).rglob("*.py")):
-            digest.update(path.relative_to(home).as_posix().encode())
-            digest.update(path.read_bytes())
+    for path in code_files():
+        digest.update(path.relative_to(home).as_posix().encode())
+        digest.update(path.read_bytes())
     return digest.hexdigest()

@@ -6,7 +6,7 @@ const SeaUniforms := preload("sea_uniforms.gd")
 
 func _ready() -> void:
 	var asked: Dictionary = JSON.parse_string(FileAccess.get_file_as_string("res://asked.json"))
-	var sea := SeaUniforms.new("res://" + asked.name)
+	var sea := SeaUniforms.new("res://" + asked.name, asked.get("part", "sea"))
 	var window := JavaScriptBridge.get_interface("window")
 	var view := SubViewport.new()
 	view.size = Vector2i(asked.cols, asked.rows * 16)

@@ -121,7 +121,9 @@ func _mixed(a: Variant, b: Variant, share: float) -> Variant:
 
 func _texture(map: Dictionary, all: PackedByteArray) -> ImageTexture:
 	var floats: bool = map.format == "float32"
-	var formats := {2: Image.FORMAT_RGF, 4: Image.FORMAT_RGBAF} if floats else {3: Image.FORMAT_RGB8, 4: Image.FORMAT_RGBA8}
+	var formats := {3: Image.FORMAT_RGB8, 4: Image.FORMAT_RGBA8}
+	if floats:
+		formats = {1: Image.FORMAT_RF, 2: Image.FORMAT_RGF, 4: Image.FORMAT_RGBAF}
 	var width := 4 if floats else 1
 	var size: int = map.width * map.height * map.channels
 	var part := all.slice(width * map.offset, width * (map.offset + size))

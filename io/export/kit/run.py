@@ -97,8 +97,7 @@ class Run:
 
     def s_declare(self, of: Statement, frame: Frame, mask: np.ndarray) -> None:
         for one in of.variables:
-            start = self.zero(one, frame) if one.value is None else self.value(one.value, frame, mask)
-            frame.names[one.name] = start
+            frame.names[one.name] = self.value(one.value, frame, mask) if one.value else self.zero(one, frame)
 
     def s_do(self, of: Statement, frame: Frame, mask: np.ndarray) -> None:
         self.value(of.parts[0], frame, mask)
@@ -143,8 +142,9 @@ class Run:
         return getattr(self, f"x_{of.kind}")(of, frame, mask)
 
     def x_num(self, of: Expr, frame: Frame, mask: np.ndarray):
-        number = of.text == "true" if of.type == "bool" else float(of.text.rstrip("u"))
-        return np.full(self.count, number, KINDS[of.type])
+        return np.full(
+            self.count, of.text == "true" if of.type == "bool" else float(of.text.rstrip("u")), KINDS[of.type]
+        )
 
     def x_name(self, of: Expr, frame: Frame, mask: np.ndarray):
         if of.text in frame.names:
@@ -175,10 +175,9 @@ class Run:
 
     def x_binary(self, of: Expr, frame: Frame, mask: np.ndarray):
         a, b = (self.value(part, frame, mask) for part in of.parts)
-        widths = [width(part.type) for part in of.parts]
-        if isinstance(a, np.ndarray) and max(widths) > 1:
-            a, b = (v if w > 1 else v[..., None] for v, w in zip((a, b), widths, strict=True))
-        return binary(of.text, a, b, widths[0] > 1)
+        if max(a.ndim, b.ndim) > 1:
+            a, b = (v if v.ndim > 1 else v[..., None] for v in (a, b))
+        return binary(of.text, a, b, width(of.parts[0].type) > 1)
 
     def x_choose(self, of: Expr, frame: Frame, mask: np.ndarray):
         asked = self.value(of.parts[0], frame, mask)
@@ -220,7 +219,7 @@ class Run:
         kind, parts = KINDS[base(of.type)], width(of.type)
         if parts == 1:
             return given[0].astype(kind)
-        columns = [v[..., None] if width(part.type) == 1 else v for v, part in zip(given, of.parts, strict=True)]
+        columns = [v[..., None] if v.ndim == 1 else v for v in given]
         whole = np.concatenate([column.astype(kind) for column in columns], -1)
         return np.repeat(whole, parts, -1) if whole.shape[-1] == 1 else whole[..., :parts]
 
@@ -246,9 +245,8 @@ class Run:
             return fetched(given[0], given[1])
         if of.text in COMPARE:
             return binary(COMPARE[of.text], given[0], given[1], False)
-        wide = max(width(part.type) for part in of.parts)
-        if wide > 1 and of.text not in PLAIN:
-            given = [v if width(part.type) > 1 else v[..., None] for v, part in zip(given, of.parts, strict=True)]
+        if max(v.ndim for v in given) > 1 and of.text not in PLAIN:
+            given = [v if v.ndim > 1 else v[..., None] for v in given]
         if base(of.type) == "float":
             given = [v.astype(np.float32) for v in given]
         return BUILT_IN[of.text](*given)

@@ -20,6 +20,7 @@ from .phases import Phase, straight
 
 PROBE_TIMES_S = (0.0, 61.0, 3600.25, 86_400.5)
 PROBES_A_TIME = 25
+COLUMNS = {"u_cloud_shape": 16, "u_cloud_detail": 8, "u_cloud_detail_half": 8}  # shaders/cloud_noise.glsl has them too
 
 
 def has_sky(level: Level) -> bool:
@@ -78,14 +79,14 @@ def _moved(level: Level) -> list[Phase]:
 
 
 def sky_maps(level: Level) -> dict[str, np.ndarray]:
-    """Maps (rows, cols, channels) by sampler, row 0 south: cubes layer by layer; uint8 or float32."""
+    """Maps (rows, cols, channels) by sampler, row 0 south; uint8 or float32."""
     paint = level.layers["weather"]
     painted = np.zeros((1, 1, 6)) if paint.neutral else paint.array.astype(np.float16)  # as the editor's texture has it
     noises = {name: _noise(name) for name in CLOUD_NOISES}
     detail = noises["u_cloud_detail"]
     half = detail.reshape(*(n for side in detail.shape[:3] for n in (side // 2, 2)), 4).mean((1, 3, 5))
     noises["u_cloud_detail_half"] = np.round(half).astype(np.uint8)
-    found = {name: np.ascontiguousarray(cube).reshape(-1, *cube.shape[-2:]) for name, cube in noises.items()}
+    found = {name: _folded(cube, COLUMNS[name]) if name in COLUMNS else cube for name, cube in noises.items()}
     floats = {
         "u_cloud_profile": profile_table(level.settings).astype(np.float16)[..., None],
         "u_weather_noise": weather_noise(level.settings.level.seed),
@@ -93,6 +94,13 @@ def sky_maps(level: Level) -> dict[str, np.ndarray]:
         "u_layer_weather_more": painted[..., 4:],
     }
     return found | {name: np.ascontiguousarray(values, "<f4") for name, values in floats.items()}
+
+
+def _folded(cube: np.ndarray, columns: int) -> np.ndarray:
+    """Layers of a cube beside each other, then above, from the south-west on: no side longer than 2048 texels."""
+    layers, rows, cols, channels = cube.shape
+    blocks = cube.reshape(layers // columns, columns, rows, cols, channels)
+    return np.ascontiguousarray(blocks.transpose(0, 2, 1, 3, 4).reshape(-1, columns * cols, channels))
 
 
 @lru_cache(maxsize=3)

@@ -84,9 +84,12 @@ MEANINGS = {
     "u_cap_age": ("", "Of two generations of whitecaps: age -0.5 to 0.5 of each, share of each."),
     # the sky
     "u_cloud_camera": ("m", "East and north of the camera: the horizon's sky begins round it. Yours to set."),
-    "u_cloud_shape": ("", "Noise that shapes clouds, 128 cubed, its layers one above the other."),
-    "u_cloud_detail": ("", "Noise that erodes their edges, 32 cubed, its layers one above the other."),
-    "u_cloud_detail_half": ("", "The same at half the side."),
+    "u_cloud_shape": ("", "Noise that shapes clouds, 128 cubed: 16 of its layers beside each other, 8 rows of them."),
+    "u_cloud_detail": (
+        "",
+        "Noise that erodes their edges, 32 cubed: 8 layers beside each other, 4 rows.",
+    ),
+    "u_cloud_detail_half": ("", "The same at half the side, 8 beside each other, 2 rows of them."),
     "u_cloud_curl": ("", "Turbulence that bends that noise, 0.5 is none."),
     "u_cloud_profile": ("", "Density by height: rows stratus, cumulus, cumulonimbus."),
     "u_weather_noise": ("", "A broad pattern and its quarter turn, a fine one and its own; deviation 1, mean 0."),
