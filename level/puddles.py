@@ -19,11 +19,10 @@ def filled_m(ground: np.ndarray, water: np.ndarray) -> np.ndarray:
     """Float32 `(rows, cols)`: the ground with its hollows full. `water` stands there already and carries rain away, NaN
     where there is none; so does the border.
     """
-    floor = np.fmax(ground, water).astype(np.float32)
+    upside_down = -np.fmax(ground, water)
     leaves = np.isfinite(water)
     leaves[[0, -1]] = leaves[:, [0, -1]] = True
-    out = np.where(leaves, -floor, np.float32(-np.inf))
-    return -bottleneck(out, -floor, MOST_ROUNDS)
+    return -bottleneck(np.where(leaves, upside_down, np.float32(-np.inf)), upside_down, MOST_ROUNDS)
 
 
 def puddles_m(level: Level, every: int = 1) -> np.ndarray:

@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 from exports import GROUND, read_manifest, rough_level
 from shorewright.io.export import check, export, maps, unreal
+from shorewright.io.export.unreal_weights import NAMES
+from shorewright.io.images import read_image
 from shorewright.level import BadInput, Grid, Level, Rect
 
 PUBLISHED_SIZES = (127, 253, 505, 1009, 2017, 4033, 8129)
@@ -151,3 +153,30 @@ def test_recipe_types_the_values_that_decode(tmp_path):
 def test_words_leaving_sixteen_bits_are_an_error():
     with pytest.raises(ValueError, match="leave the 16-bit range"):
         maps.quantise(np.array([0.0, 70000.0]), 0.0, 1.0)
+
+
+# Weight maps
+
+
+@pytest.mark.parametrize("resample", [False, True])
+def test_weight_maps_lie_over_the_landscape(tmp_path, resample):
+    """As large as the height map, north first, the edge going on beyond the level; all eight sum to 255 everywhere."""
+    level = rough_level(90, 120, low=5, high=20)
+    level.write("cover", Rect(60, 0, 90, 30), np.array([0, 0, 1, 0], np.float32))  # grass in the north-west
+    export(level, "unreal", tmp_path, only=["height", "cover_weights_2", *NAMES], name="bay", resample=resample)
+    assert check(tmp_path) == []
+    pictures = [read_image(tmp_path / f"bay_{name}.png")[..., 0] for name in NAMES]
+    assert all(picture.shape == (127, 127) and picture.dtype == np.uint8 for picture in pictures)
+    assert (np.sum(pictures, axis=0, dtype=int) == 255).all()
+    grass = pictures[NAMES.index("weight_grass")].astype(int) + pictures[NAMES.index("weight_dune_grass")]
+    assert grass[3:24, 3:24].min() > 185  # where both kinds meet a quarter is neither
+    own = read_image(tmp_path / "bay_cover_weights_2.png")[..., 0]
+    if not resample:
+        assert np.array_equal(pictures[NAMES.index("weight_grass")][:90, :120], own)
+        assert np.array_equal(pictures[0][90:], np.repeat(pictures[0][89:90], 37, 0))
+
+
+def test_tiled_landscapes_have_no_weight_maps(tmp_path):
+    export(rough_level(150), "unreal", tmp_path, only=["height", *NAMES], name="bay", tile=127)
+    assert set(NAMES) <= set(read_manifest(tmp_path)["empty"])
+    assert check(tmp_path) == []

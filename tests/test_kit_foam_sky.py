@@ -21,7 +21,7 @@ void main() {
     float column = water_column(sea, sea.position.z);
     v_amount = foam_amount(sea, on_face(in_at, sea), column, 1.0, PAINT, current_at(in_at), true, 0.0, 0.0).amount;
 #ifdef RIVERS
-    v_amount *= 1.0 - sea.river.share;
+    v_amount *= 1.0 - sea.river.share * smoothstep(RIVER_DROWNED_M.x, RIVER_DROWNED_M.y, sea.river.still);
 #endif
 }
 """

@@ -25,7 +25,7 @@ def weights(first: int) -> Callable[[Level], Samples]:
     """A maker of four of the eight weights of the ground's materials, from that one on."""
 
     def make(level: Level) -> Samples:
-        whole = _weights(level)
+        whole = ground_weights(level)
         rows, cols, _ = whole.values.shape
         return Samples(Rows((rows, cols, 4), lambda *at: whole.values.read(*at)[..., first : first + 4]), whole.cell_m)
 
@@ -33,8 +33,8 @@ def weights(first: int) -> Callable[[Level], Samples]:
 
 
 @kept
-def _weights(level: Level) -> Samples:
-    """All eight, in 255ths whose sum is 255."""
+def ground_weights(level: Level) -> Samples:
+    """All eight weights of the ground's materials, in 255ths whose sum is 255."""
     from ...level.ground_cover import cover_weights
 
     stride = _stride(level)
@@ -44,9 +44,9 @@ def _weights(level: Level) -> Samples:
     def blocks() -> Iterator[np.ndarray]:
         for block in row_slices(len(rows), ROW_NUMBERS * len(cols)):
             beat(MAKING * block.stop / len(rows))
-            yield shared_out(cover_weights(level, rows[block], cols, cell_m)) / np.float32(TOP)
+            yield shared_out(cover_weights(level, rows[block], cols, cell_m))
 
-    return Samples(spooled((len(rows), len(cols), 8), blocks()), cell_m)
+    return Samples(spooled((len(rows), len(cols), 8), blocks(), TOP), cell_m)
 
 
 def shared_out(shares: np.ndarray) -> np.ndarray:
@@ -55,10 +55,9 @@ def shared_out(shares: np.ndarray) -> np.ndarray:
     whole = np.floor(exact)
     missing = TOP - whole.sum(-1, keepdims=True)
     rank = np.argsort(np.argsort(-(exact - whole), -1, kind="stable"), -1, kind="stable")
-    return (whole + (rank < missing)).astype(np.float32)
+    return (whole + (rank < missing)).astype(np.uint8)
 
 
-@kept
 def puddles(level: Level) -> Samples | None:
     from ...level.puddles import puddles_m
 

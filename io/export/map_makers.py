@@ -34,20 +34,24 @@ class Rows:
         return self.read(start, stop)
 
 
-def spooled(shape: tuple[int, int, int], blocks: Iterable[np.ndarray]) -> Rows:
-    """Rows that were worked out once, from the south: in memory, or in a file without a name when they are many."""
-    file = SpooledTemporaryFile(HELD_BYTES)  # noqa: SIM115 - it ends with the rows
+def spooled(shape: tuple[int, int, int], blocks: Iterable[np.ndarray], parts: int | None = None) -> Rows:
+    """Rows that were worked out once, from the south: in memory, or in a file without a name when they are many.
+
+    With `parts` the blocks are whole numbers up to 255, and so many of them are 1.
+    """
+    file, dtype = SpooledTemporaryFile(HELD_BYTES), np.dtype(np.uint8 if parts else np.float32)  # noqa: SIM115
     try:
         for block in blocks:
-            file.write(np.ascontiguousarray(block, np.float32).data)
+            file.write(np.ascontiguousarray(block, dtype).data)
     except BaseException:
         file.close()
         raise
-    row_bytes = 4 * shape[1] * shape[2]
+    row_bytes = dtype.itemsize * shape[1] * shape[2]
 
     def read(start: int, stop: int) -> np.ndarray:
         file.seek(start * row_bytes)
-        return np.frombuffer(file.read((stop - start) * row_bytes), np.float32).reshape(stop - start, *shape[1:])
+        held = np.frombuffer(file.read((stop - start) * row_bytes), dtype).reshape(stop - start, *shape[1:])
+        return held / np.float32(parts) if parts else held
 
     weakref.finalize(read, file.close)
     return Rows(shape, read)

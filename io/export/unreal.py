@@ -20,11 +20,17 @@ from .heights import Words, part_notes, probes, write_heights
 from .job import Job
 from .layout import Layout, Tile, lay_out
 from .manifest import describe
-from .map_files import MapStyle
+from .map_files import MapStyle, write_maps
 from .mesh_places import PLACES
 from .records import Manifest, Tiles
+from .unreal_weights import weight_rows
 
-MAPS = (("height", "The ground, 16 bits, at the size Unreal recommends."), flow.MAP, *common.told())
+MAPS = (
+    ("height", "The ground, 16 bits, at the size Unreal recommends."),
+    flow.MAP,
+    *common.told(),
+    *((row.name, row.doc) for row in weight_rows(None).values()),
+)
 STYLE = MapStyle(south_positive=True, green_down=True, meshes=PLACES["north-west"])
 MID = 32768  # the value of z = 0, which is the sea
 HIGHEST = 256 - 1 / 128  # metres above, and 256 below, at ScaleZ 100
@@ -108,19 +114,21 @@ def export(job: Job) -> Manifest:
     heights = job.piece("height", ground, ("height",))
     current = job.piece("flow", lambda: flow.write_flow(job, flow.UNREAL_FORMULA))
     pictures = common.write_common(job, STYLE, ("hlsl", "c"))
+    weights = write_maps(job, STYLE, weight_rows(layout))
     recipe = _recipe([file.name for file in heights.files], scale, layout) if heights.files else []
     recipe += [line for file in current.files for line in flow.recipe(file)]
     recipe += common.lines(pictures.files)
+    recipe += [f"Layers > {file.map.removeprefix('weight_')}: {file.name}" for file in weights.files]
     return Manifest(
         target="unreal",
         options=job.options,
         engine=scale,
         tiles=Tiles(rows=layout.tile_rows, cols=layout.tile_cols),
-        files=heights.files + current.files + pictures.files,
+        files=heights.files + current.files + pictures.files + weights.files,
         empty=job.empty,
         probes=probes(job, layout),
         flow_probes=current.flow_probes,
-        map_probes=pictures.map_probes,
+        map_probes=pictures.map_probes + weights.map_probes,
         import_recipe=recipe,
         notes=part_notes(layout, heights.files),
         **describe(

@@ -11,13 +11,16 @@ from .common import check_common
 from .engine_records import UnrealScale
 from .records import Manifest
 from .unreal import MID, layout_of, scale_of, tile_name, words_of
+from .unreal_weights import weight_rows
 from .verify_flow import check_flow
 from .verify_ground import check_heights, near, own_records
+from .verify_map_files import check_maps
 
 
 def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
     """Findings about a landscape; `whole` are the listed files whose bytes are the ones written."""
-    own, scale = own_records(manifest), manifest.engine
+    weights = weight_rows(None)
+    own, scale = own_records(manifest, weights), manifest.engine
     if not manifest.files or set(own) - {"height", "flow"} or not isinstance(scale, UnrealScale):
         return ["an Unreal export has one height map or current and says how to scale it; this manifest does not"]
     source = manifest.source
@@ -33,7 +36,7 @@ def check_unreal(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
         )
     for record in own.get("flow", []):
         findings += check_flow(manifest, record, whole, flow.UNREAL_FORMULA)
-    return findings + check_common(manifest, whole)
+    return findings + check_maps(manifest, whole, weights) + check_common(manifest, whole)
 
 
 def _scale(manifest: Manifest, scale: UnrealScale, layout) -> Iterator[str]:

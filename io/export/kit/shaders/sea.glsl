@@ -24,12 +24,12 @@ uniform sampler2D u_layer_foam;  // painted foam: what comes with the waves, wha
 uniform float u_cell_m;          // between two samples of it and of the level's ground
 
 // Amount of the sea's foam on a point of its surface, 0 … 1, before any texture: crests, what they leave behind, the sheet
-// and its rim, whitecaps, paint. Rivers have none of it.
+// and its rim, whitecaps, paint. Rivers over the sea have none of it.
 float foam_on(Sea sea) {
     vec2 before = on_face(sea.before, sea), painted = layer_at(u_layer_foam, sea.before, u_cell_m).xy;
     float amount = foam_amount(sea, before, water_column(sea, sea.position.z), 1.0, painted, current_at(sea.before), true, 0.0, 0.0).amount;
 #ifdef RIVERS
-    amount *= 1.0 - sea.river.share;
+    amount *= 1.0 - sea.river.share * smoothstep(RIVER_DROWNED_M.x, RIVER_DROWNED_M.y, sea.river.still);
 #endif
     return amount;
 }
