@@ -86,8 +86,6 @@ class Run:
         shape = (self.count, *([size] if size else []), *([width(kind)] if width(kind) > 1 else []))
         return np.zeros(shape, KINDS[base(kind)])
 
-    # statements
-
     def walk(self, body: list[Statement], frame: Frame, mask: np.ndarray) -> None:
         for statement in body:
             here = mask & frame.live
@@ -135,8 +133,6 @@ class Run:
             return {name: self.chosen(mask, one[name], other[name]) for name in one}
         one, other = np.asarray(one), np.asarray(other)
         return np.where(mask.reshape(-1, *[1] * (max(one.ndim, other.ndim) - 1)), one, other)
-
-    # expressions
 
     def value(self, of: Expr, frame: Frame, mask: np.ndarray):
         return getattr(self, f"x_{of.kind}")(of, frame, mask)
