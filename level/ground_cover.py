@@ -12,7 +12,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from .ground_textures import MATERIALS
+from .ground_materials import MATERIALS
 from .level import Level
 from .open_sky import WAYS, open_sky
 from .textures import noise_texture

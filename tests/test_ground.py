@@ -6,7 +6,7 @@ from scenes import camera
 from scipy.ndimage import gaussian_filter
 from scipy.spatial import cKDTree
 from shorewright.level import Grid, Level, Rect
-from shorewright.level.ground_textures import MATERIALS
+from shorewright.level.ground_materials import MATERIALS
 from shorewright.level.objects import Camera
 from shorewright.renderer import render
 from shorewright.renderer.passes.terrain import ground_uniforms

@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 from scenes import camera, coast
-from shorewright.level.ground_textures import MATERIALS, SPAN, encode, ground_textures, material
+from shorewright.level.ground_materials import MATERIALS
+from shorewright.level.ground_textures import SPAN, encode, ground_textures, material
 from shorewright.level.tiling import cells, waves
 from shorewright.renderer import cache
 from shorewright.renderer.quality import TIERS

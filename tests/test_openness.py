@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 from scenes import camera
 from shorewright.level import Grid, Level, Rect
+from shorewright.level.open_sky import LEAST_CELLS, REACH_M, steps
 from shorewright.renderer import Renderer, Show, render
-from shorewright.renderer.passes.openness import LEAST_CELLS, REACH_M, steps
 
 pytestmark = pytest.mark.gl
 SIZE = (32, 18)

@@ -11,7 +11,7 @@ from functools import cache
 import numpy as np
 
 from ...level import Level
-from ...level.ground_textures import MATERIALS
+from ...level.ground_materials import MATERIALS
 from .beat import beat
 from .layout import Layout
 from .map_ground import MAKING, TOP, ground_weights, shared_out

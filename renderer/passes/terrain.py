@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from ...level import Level
-from ...level.ground_textures import MATERIALS
+from ...level.ground_materials import MATERIALS
 from ..bounds import HeightBounds
 from ..camera import Matrices
 from ..frame import Frame
