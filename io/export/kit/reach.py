@@ -29,48 +29,55 @@ def _inside(part: Expr | None) -> Iterator[Expr]:
 
 def pruned(unit: Unit, wanted: tuple[str, ...]) -> Unit:
     """A unit with what the `wanted` functions need and no more; `uses` of each function is filled in."""
-    by_key = {function.key: function for function in unit.functions()}
-    order = {one.name: at for at, one in enumerate(unit.variables())}
-    structs, variables = unit.structs(), {one.name: one for one in unit.variables()}
-    kept: set[str] = set()
-    names: set[str] = set()
-
-    def note(one: Variable) -> None:
-        names.add(one.type.removesuffix("[]"))
-        for part in (*_inside(one.size), *_inside(one.value)):
-            names.add(part.text)
-
-    def visit(function: Function) -> None:
-        if function.key in kept:
-            return
-        kept.add(function.key)
-        local = {p.name for p in function.parameters} | {v.name for v in _declared(function.body)}
-        used: set[str] = set()
-        names.update([function.type, *(p.type for p in function.parameters)])
-        names.update(v.type.removesuffix("[]") for v in _declared(function.body))
-        for part in expressions(function.body):
-            if part.kind == "name" and part.text in variables and part.text not in local:
-                used.add(part.text)
-            if part.kind == "call" and part.text in by_key:
-                visit(by_key[part.text])
-                used.update(by_key[part.text].uses)
-            if part.kind == "new":
-                names.add(part.text)
-        names.update(used)
-        function.uses = sorted(used, key=order.__getitem__)
-
+    walk = _Walk(unit)
     for function in unit.functions():
         if function.name in wanted:
-            visit(function)
-    before = -1
-    while before != len(names):
-        before = len(names)
-        for name in list(names):
-            if name in variables:
-                note(variables[name])
+            walk.visit(function)
+    structs, before = unit.structs(), -1
+    while before != len(walk.names):
+        before = len(walk.names)
+        for name in list(walk.names):
+            if name in walk.variables:
+                walk.note(walk.variables[name])
             for member in structs[name].members if name in structs else ():
-                note(member)
-    return Unit([item for item in unit.items if _stays(item, kept, names)])
+                walk.note(member)
+    return Unit([item for item in unit.items if _stays(item, walk.kept, walk.names)])
+
+
+class _Walk:
+    """`kept`: keys of functions that were come to; `names` of types, globals and struct members that they need."""
+
+    def __init__(self, unit: Unit) -> None:
+        self.by_key = {function.key: function for function in unit.functions()}
+        self.order = {one.name: at for at, one in enumerate(unit.variables())}
+        self.variables = {one.name: one for one in unit.variables()}
+        self.kept: set[str] = set()
+        self.names: set[str] = set()
+
+    def note(self, one: Variable) -> None:
+        self.names.add(one.type.removesuffix("[]"))
+        for part in (*_inside(one.size), *_inside(one.value)):
+            self.names.add(part.text)
+
+    def visit(self, function: Function) -> None:
+        """Come to a function and to all that it calls."""
+        if function.key in self.kept:
+            return
+        self.kept.add(function.key)
+        local = {p.name for p in function.parameters} | {v.name for v in _declared(function.body)}
+        used: set[str] = set()
+        self.names.update([function.type, *(p.type for p in function.parameters)])
+        self.names.update(v.type.removesuffix("[]") for v in _declared(function.body))
+        for part in expressions(function.body):
+            if part.kind == "name" and part.text in self.variables and part.text not in local:
+                used.add(part.text)
+            if part.kind == "call" and part.text in self.by_key:
+                self.visit(self.by_key[part.text])
+                used.update(self.by_key[part.text].uses)
+            if part.kind == "new":
+                self.names.add(part.text)
+        self.names.update(used)
+        function.uses = sorted(used, key=self.order.__getitem__)
 
 
 def _stays(item: Struct | Variable | Function, kept: set[str], names: set[str]) -> bool:
