@@ -51,12 +51,13 @@ def hlsl_slots(text, source, name):
 def hlsl_vertex(source, t, name, result, outputs):
     """HLSL of a vertex shader that calls one function over points p and gives `outputs`: expressions of `s`."""
     text = text_of(source, "test", "hlsl")
+    split = repr(t) if t < 100 else f"float2({t // 64!r}, {t % 64!r})"
     slots, given = hlsl_slots(text, source, name)
     fields = "".join(f"float4 o{n} : O{n}; " for n in range(len(outputs)))
     sets = " ".join(f"v.o{n} = {what};" for n, what in enumerate(outputs))
     return (
         f"{text}\n{slots}struct V {{ {fields} float4 place : SV_POSITION; }};\nV main(float2 p : AT) {{"
-        f" {source.part}_at_time({t!r}); {result} s = {name}({', '.join([*given, 'p'])}); V v; {sets}"
+        f" {source.part}_at_time({split}); {result} s = {name}({', '.join([*given, 'p'])}); V v; {sets}"
         " v.place = (float4)0; return v; }\n"
     )
 

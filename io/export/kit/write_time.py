@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -25,32 +27,56 @@ static inline double PART_whole(double start, double rate, double t, double turn
 
 @dataclass(frozen=True)
 class Tongue:
-    """How one language says what the formulas of FORMS need."""
+    """How one language says what the formulas of FORMS need; `fract` and `whole` of start, rate_hz (and turns)."""
 
     state: str  # before a uniform's name
-    real: str  # the type that time is kept in
-    fract: str
-    whole: str
+    real: str
+    time: str  # the type that t is kept in
+    now: str  # t in seconds as one number
+    fract: Callable[[float, float], str]
+    whole: Callable[[float, float, int], str]
     fold: str
     absolute: str
     fixed: str  # a constant table
     cast: str
 
 
+def _cycles(start: float, rate_hz: float) -> str:
+    """Cycles in HLSL: of a block the whole ones, then the rest in a part that floats multiply without rounding."""
+    block = rate_hz * BLOCK_S
+    whole = math.floor(block)
+    high = math.floor((block - whole) * STEPS) / STEPS
+    return f"PART_cycles({start:.9g}, {whole:.1f}, {high!r}, {block - whole - high:.9g}, {rate_hz:.9g}, t)"
+
+
+BLOCK_S = 64
+STEPS = 1024  # a block's number has 14 bits then: twelve days
 C = Tongue(
-    "g->", "double", "PART_fract({0!r}, {1!r}, t)", "PART_whole({0!r}, {1!r}, t, {2}.0)",
+    "g->", "double", "double", "t", lambda start, rate: f"PART_fract({start!r}, {rate!r}, t)",
+    lambda start, rate, turns: f"PART_whole({start!r}, {rate!r}, t, {turns}.0)",
     "PART_fract({first!r}, {hop!r}, {of})", "fabs", "static const", "(float)({0})",
 )  # fmt: skip
 HLSL = Tongue(
-    "", "float", "frac({0:.9g} + {1:.9g} * t)", "PART_whole(floor({0:.9g} + {1:.9g} * t), {2}.0)",
+    "", "float", "float2", "now", lambda start, rate: _cycles(start, rate) + ".y",
+    lambda start, rate, turns: f"PART_wrapped({_cycles(start, rate)}.x, {turns}.0)",
     "frac({first:.9g} + {hop:.9g} * {of})", "abs", "static const", "{0}",
 )  # fmt: skip
-HLSL_WHOLE = """
-float PART_whole(float whole, float turns) { return turns > 0.0 ? whole - floor(whole / turns) * turns : whole; }
+HLSL_CYCLES = """
+float PART_wrapped(float whole, float turns) { return turns > 0.0 ? whole - floor(whole / turns) * turns : whole; }
+
+// Whole cycles and the rest of one at a time; `high` has so few bits that it times a block's number is exact.
+float2 PART_cycles(float start, float whole, float high, float low, float rate, float2 t) {
+    float turned = high * t.x;
+    float rest = frac(turned) + low * t.x + start + rate * t.y;
+    return float2(whole * t.x + floor(turned) + floor(rest), frac(rest));
+}
 """
 HLSL_DOC = """
-// The PART at a time; in float32 good to a millimetre within the first quarter of an hour. A game that runs longer
-// wraps the phases in double, as the C header does, and sets these globals from its own constants."""
+// The PART at t.x blocks of 64 s and t.y seconds more, for twelve days: floor(s / 64) and s - 64 floor(s / 64), which
+// whoever keeps the clock works out in double (of a level with a loop from the time within it)."""
+HLSL_SHORT_DOC = (
+    "\n// The same of seconds, for as long as a float holds them finely enough: a quarter of an hour or so."
+)
 C_DOC = "\n// The PART at a time in seconds since its beginning; wrapped in double, so that it holds for weeks."
 
 
@@ -62,43 +88,44 @@ def c_time(unit: Unit, data: KitData, part: str) -> str:
 
 
 def hlsl_time(unit: Unit, data: KitData, part: str) -> str:
-    """`PART_at_time(t)` in HLSL, in float32."""
-    head = [HLSL_WHOLE, *_tide(data, HLSL), *_track(unit, data, HLSL, ""), HLSL_DOC]
-    return (
-        "\n".join([*head, f"void {part}_at_time(float t) {{", *_body(data, HLSL, ""), "}"]).replace("PART", part) + "\n"
-    )
+    """`PART_at_time(t)` in HLSL, of two floats and of one."""
+    head = [HLSL_CYCLES, *_tide(data, HLSL), *_track(unit, data, HLSL, ""), HLSL_DOC]
+    lines = [f"void {part}_at_time(float2 t) {{", *_body(data, HLSL, ""), "}", HLSL_SHORT_DOC]
+    lines += [f"void {part}_at_time(float t) {{", *_loop(data), f"    float block = floor(t / {BLOCK_S}.0);"]
+    lines.append(f"    {part}_at_time(float2(block, t - {BLOCK_S}.0 * block));")
+    return "\n".join([*head, *lines, "}"]).replace("PART", part) + "\n"
+
+
+def _loop(data: KitData) -> list[str]:
+    return [f"    t -= floor(t / {data.loop_s!r}) * {data.loop_s!r};"] if data.loop_s > 0 else []
 
 
 def _body(data: KitData, tongue: Tongue, given: str) -> list[str]:
-    lines = []
-    if data.loop_s > 0:
-        lines.append(f"    t -= floor(t / {data.loop_s!r}) * {data.loop_s!r};")
+    lines = _loop(data) if tongue is C else [f"    float now = {BLOCK_S}.0 * t.x + t.y;"]
     if data.track.values:
-        lines.append(f"    PART_follow({given}t);")
+        lines.append(f"    PART_follow({given}{tongue.now});")
     if data.clock_hz:
-        fract, whole = (f.format(0.0, data.clock_hz, CYCLES) for f in (tongue.fract, tongue.whole))
+        fract, whole = tongue.fract(0.0, data.clock_hz), tongue.whole(0.0, data.clock_hz, CYCLES)
         lines.append(f"    {tongue.state}u_shore_clock = {tongue.cast.format(fract)};")
         lines.append(f"    {tongue.state}u_shore_cycle = (int){whole};")
     lines += [_phase(phase, tongue) for phase in sorted(data.phases, key=lambda phase: phase.from_s)]
     if data.tide:
         for name, base in data.tide.base.items():
             lines.append(f"    {tongue.state}{name} = {tongue.cast.format(f'{base!r} + PART_tide(t)')};")
-    if not lines:
-        lines.append("    (void)g; (void)t;" if tongue is C else "")
-    return lines
+    return lines or ["    (void)g; (void)t;"]
 
 
 def _phase(phase: Phase, tongue: Tongue) -> str:
     row = f"[{phase.row}]" if phase.row >= 0 else ""
-    fract = tongue.fract.format(phase.start, phase.rate_hz)
-    whole = tongue.whole.format(phase.start, phase.rate_hz, phase.turns)
+    fract = tongue.fract(phase.start, phase.rate_hz)
+    whole = tongue.whole(phase.start, phase.rate_hz, phase.turns)
     hop, fold = (tongue.fold.format(first=phase.first, hop=phase.hop, of=of) for of in (whole, fract))
     text = FORMS[phase.form].text.format(fract=fract, whole=whole, hop=hop, fold=fold, abs=tongue.absolute)
     if phase.scale != 1.0:
         text = f"{phase.scale!r} * {text}"
     if phase.offset:
         text = f"{phase.offset!r} + {text}"
-    when = f"if (t >= {phase.from_s!r}) " if phase.from_s > 0 else ""
+    when = f"if ({tongue.now} >= {phase.from_s!r}) " if phase.from_s > 0 else ""
     return f"    {when}{tongue.state}{phase.uniform}{row}.{'xyzw'[phase.part]} = {tongue.cast.format(text)};"
 
 
@@ -108,14 +135,14 @@ def _tide(data: KitData, tongue: Tongue) -> list[str]:
     tide, real = data.tide, tongue.real
     at, height = list(tide.curve[::2]), list(tide.curve[1::2])
     at, height = [at[-1] - 1.0, *at, at[0] + 1.0], [height[-1], *height, height[0]]
-    floor_of = tongue.fract.format(-tide.high_s / tide.period_s, 1 / tide.period_s)
+    part_of = tongue.fract(-tide.high_s / tide.period_s, 1 / tide.period_s)
     inline = "static inline " if tongue is C else ""
     return [
         "", "// The tide over the mean level, m: half a cosine from each point of its curve to the next.",
-        f"{inline}{real} PART_tide({real} t) {{",
+        f"{inline}{real} PART_tide({tongue.time} t) {{",
         f"    {tongue.fixed} {real} at[{len(at)}] = {{{', '.join(map(repr, at))}}};",
         f"    {tongue.fixed} {real} height[{len(at)}] = {{{', '.join(map(repr, height))}}};",
-        f"    {real} part = {floor_of};",
+        f"    {real} part = {part_of};",
         "    int n = 0;",
         f"    while (n < {len(at) - 2} && part >= at[n + 1]) ++n;",
         f"    {real} along = (part - at[n]) / (at[n + 1] - at[n]);",
