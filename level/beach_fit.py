@@ -28,7 +28,7 @@ def fitted(level: Level, xy: np.ndarray, triangles: OfPlaces, free: OfPlaces, ap
     """
     error_m, least_m = level.settings.beach_mesh.error_m, max(LEAST_M, level.grid.cell_m)
     for _ in range(ROUNDS):
-        which, place, off_m = _misses(level, xy, triangles(xy))
+        which, place, off_m = misses(level, xy, triangles(xy))
         over = np.flatnonzero(off_m > error_m)
         over = over[free(place[over])]
         over = over[cKDTree(xy).query(place[over])[0] >= least_m]
@@ -42,7 +42,7 @@ def fitted(level: Level, xy: np.ndarray, triangles: OfPlaces, free: OfPlaces, ap
     return xy
 
 
-def _misses(level: Level, xy: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def misses(level: Level, xy: np.ndarray, triangles: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Of every sample of the ground in a triangle: which it is in, its place `(k, 2)`, how far that misses it, m."""
     cell_m = level.grid.cell_m
     which, row, col, share = samples_within(xy[triangles] / cell_m, level.grid.shape)

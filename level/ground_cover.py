@@ -20,6 +20,7 @@ from .textures import noise_texture
 SAND, SHINGLE, STRATA, REEF, GRASS, DUNE, FLOOR, WEED = range(len(MATERIALS))
 WIDE_EDGE = 0.45  # half the width of the border between two patches of noise
 TORN_M = 9.0  # tile of the noise that tears painted borders
+BESIDE_M = 0.56  # at most, where the open sky is read: 0.8 of 1.4 / 2
 
 
 def cover_weights(level: Level, rows: np.ndarray, cols: np.ndarray, pixel_m: float, ways: int = WAYS) -> np.ndarray:
@@ -60,18 +61,24 @@ def site_at(level: Level, rows, cols, at, torn, pixel_m: float, ways: int) -> Si
     slopes = np.gradient(level.height[reach].astype(np.float64), cell_m)
     north, east = (slope[np.ix_(rows - reach.start, cols)] for slope in slopes)
     rise = np.minimum(np.hypot(north, east), 20.0)
-    # the map of the open sky is read beside the place, as painted borders are
-    rows_in, cols_in = (np.arange(max(n[0] - 2, 0), min(n[-1] + 3, most)) for n, most in
-                        ((rows, level.grid.rows), (cols, level.grid.cols)))  # fmt: skip
-    sky = np.stack(open_sky(level.height, cell_m, rows_in, cols_in, ways), -1)
-    seen = _bilinear(
-        sky, (x + 0.8 * torn[..., 0]) / cell_m - cols_in[0], (y + 0.8 * torn[..., 1]) / cell_m - rows_in[0]
-    )
+    seen = _sky(level, rows, cols, (x + 0.8 * torn[..., 0], y + 0.8 * torn[..., 1]), ways)
     east_m, north_m = level.grid.extent_m
     inside = np.minimum.reduce([x, y, east_m - x, north_m - y])
     rough = seen[..., 1] * _smoothstep(9.0, 14.0, inside)
     height = level.height[np.ix_(rows, cols)].astype(np.float64) - level.mean_sea_m
     return Site(rise, height, rough, seen[..., 0], broad, mid)
+
+
+def _sky(level: Level, rows, cols, at, ways: int) -> np.ndarray:
+    """Open sky and roughness, read beside samples as painted borders are; at them where only some are asked for."""
+    cell_m = level.grid.cell_m
+    if any(len(n) > 1 and n[1] - n[0] > 1 for n in (rows, cols)):
+        return np.stack(open_sky(level.height, cell_m, rows, cols, ways), -1)
+    room = math.ceil(BESIDE_M / cell_m) + 1
+    wide = [np.arange(max(n[0] - room, 0), min(n[-1] + room + 1, most)) for n, most in
+            ((rows, level.grid.rows), (cols, level.grid.cols))]  # fmt: skip
+    sky = np.stack(open_sky(level.height, cell_m, *wide, ways), -1)
+    return _bilinear(sky, at[0] / cell_m - wide[1][0], at[1] / cell_m - wide[0][0])
 
 
 def weights_of(level: Level, s: Site, cover: np.ndarray) -> np.ndarray:

@@ -6,7 +6,7 @@ from coasts import make_beach
 from scipy.spatial import cKDTree
 from shorewright.level import Grid, Level
 from shorewright.level.beach_even import shape_slopes
-from shorewright.level.beach_fit import LEAST_M, _misses
+from shorewright.level.beach_fit import LEAST_M, misses
 from shorewright.level.beach_mesh import CLEAR_M, _border, beach_cells, beach_mesh
 from shorewright.level.beach_raster import beach_raster
 from shorewright.level.objects import SeaPatch
@@ -72,7 +72,7 @@ def test_sand_follows_rock_within_its_error():
     for error_m in (20.0, 0.3, 0.1):
         level.set("beach_mesh.error_m", error_m)
         mesh = beach_mesh(level)
-        _, places, off_m = _misses(level, mesh.xy, mesh.triangles)
+        _, places, off_m = misses(level, mesh.xy, mesh.triangles)
         middles = _border(beach_cells(level))[0]
         free = cKDTree(middles).query(places)[0] > CLEAR_M
         room = cKDTree(mesh.xy).query(places)[0] >= LEAST_M

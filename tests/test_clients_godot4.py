@@ -66,10 +66,13 @@ def test_godots_sea_is_the_editors(name, tmp_path):
     assert np.concatenate(apart).max() < 1e-3
 
 
-@pytest.mark.parametrize("name", ODD)
-def test_godots_own_readers_see_the_level(name, tmp_path, data_dir):
+@pytest.fixture(params=ODD)
+def coast(request):
+    return odd_coast(request)
+
+
+def test_godots_own_readers_see_the_level(coast, tmp_path):
     """T09: corners and an odd sample of words, pictures and meshes stand where Godot puts them, north at −Z."""
-    coast = odd_coast(name, data_dir)
     level, odd = coast.level, coast.odd
     rows, cols = level.grid.shape
     north = level.grid.extent_m[1]

@@ -40,11 +40,11 @@ def decode_m(values: np.ndarray, low_m: float, high_m: float) -> np.ndarray:
     return np.asarray(values, np.float64) / maps.TOP * (high_m - low_m) + low_m
 
 
-def terrain3d_layout(shape: tuple[int, int], cell_m: float) -> Layout:
-    """The level as it is; BadInput when Terrain3D takes no picture of that size."""
+def terrain3d_layout(shape: tuple[int, int], cell_m: float, whose: str = "Terrain3D") -> Layout:
+    """The level as it is; BadInput when Terrain3D, as Godot itself, takes no picture of that size."""
     if max(shape) > MOST:
         raise BadInput(
-            f"this level has {max(shape)} samples along its longer side and Terrain3D's largest height map has {MOST}: "
+            f"this level has {max(shape)} samples along its longer side and {whose}'s largest height map has {MOST}: "
             "crop or resize it first (`shorewright crop`, `shorewright resize`)"
         )
     return plain_layout(shape, cell_m)

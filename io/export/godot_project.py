@@ -16,7 +16,7 @@ from ...level.framing import cameras
 from ...level.objects import Camera
 from ...level.sun import light_angles
 from ...level.water_optics import absorption, backscatter
-from . import common, flow
+from . import common, flow, map_ground
 from .earlier import Piece
 from .engine_records import GodotTerrain
 from .godot import STYLE, range_m, terrain3d_layout, terrain_of, words_of
@@ -27,7 +27,11 @@ from .manifest import describe, describe_file
 from .records import Decode, FileRecord, Manifest
 
 TEXTS = Path(__file__).parent / "godot_files"
-FILLED = ("project.godot", "main.tscn", "sea.gdshader")
+SCENE = "main.tscn"
+FILLED = ("project.godot", SCENE, "sea.gdshader")
+# Godot's build would pack what it imports a picture to, which a script cannot read as it stands
+KEPT = '[remap]\n\nimporter="keep"\n'
+READ_AS_FILES = ("cover_weights.png", "cover_weights_2.png")
 PROJECT = ("project", "The project: scene, scripts and shaders; brings height, kit and cover along, which it reads.")
 HEIGHT = ("height", "The ground over the sea, 16 bits, sample for sample.")
 NEEDS = {HEIGHT[0], kit.NAME, "cover_weights", "cover_weights_2"}
@@ -39,7 +43,7 @@ def export(job: Job) -> Manifest:
     if PROJECT[0] in job.maps:
         job = replace(job, maps=job.maps | NEEDS)
     grid = job.level.grid
-    layout = terrain3d_layout(grid.shape, grid.cell_m)
+    layout = terrain3d_layout(grid.shape, grid.cell_m, "Godot")
     terrain = terrain_of(layout, "project", *range_m(job.level))
 
     def ground() -> Piece:
@@ -77,6 +81,10 @@ def _write_texts(job: Job, terrain: GodotTerrain) -> list[FileRecord]:
         path = job.folder / source.name
         path.write_text(Template(text).substitute(words) if source.name in FILLED else text, "utf-8", newline="\n")
         records.append(_record(path))
+    for picture in READ_AS_FILES:
+        path = job.folder / f"{job.name}_{picture}.import"
+        path.write_text(KEPT, "utf-8", newline="\n")
+        records.append(_record(path))
     return records
 
 
@@ -94,6 +102,7 @@ def scene_words(level: Level, name: str, terrain: GodotTerrain) -> dict[str, str
     eye = first_camera(level)
     numbers = {
         "east_m": east, "north_m": north, "cell_m": level.grid.cell_m, "min_m": terrain.min_m, "max_m": terrain.max_m,
+        "mean_sea_m": level.mean_sea_m, "cover_cell_m": map_ground.stride_of(level) * level.grid.cell_m,
         "sun_elevation_deg": max(elevation, 1.0), "sun_yaw_deg": 180.0 - azimuth,
         "eye_pitch_deg": eye.pitch_deg, "eye_yaw_deg": -eye.yaw_deg, "eye_fov_deg": eye.fov_deg,
     }  # fmt: skip
@@ -104,6 +113,17 @@ def scene_words(level: Level, name: str, terrain: GodotTerrain) -> dict[str, str
     told = {word: _number(value) for word, value in numbers.items()}
     told |= {word: ", ".join(map(_number, values)) for word, values in vectors.items()}
     return {"name": name, **told}
+
+
+def scene_says(manifest: Manifest) -> tuple[str, ...]:
+    """Lines of main.tscn that follow from a manifest alone."""
+    terrain, (east, north) = manifest.engine, manifest.world.size_m
+    size, span = ((_number(a), _number(b)) for a, b in ((east, north), (terrain.min_m, terrain.max_m)))
+    return (
+        f"size_m = Vector2({', '.join(size)})",
+        f"cell_m = {_number(manifest.source.cell_m)}",
+        f"height_range_m = Vector2({', '.join(span)})",
+    )
 
 
 def _number(value: float) -> str:
@@ -121,6 +141,6 @@ def _recipe() -> list[str]:
     return [
         "Godot 4.4 or newer, any renderer: import the folder as a project (project.godot), press F5. Right mouse "
         "button, W A S D and Q E fly, Space holds the sea.",
-        "In a project of your own: keep its files together in one folder without project.godot and instance main.tscn "
-        "with the paths put right; in Project > Export > Resources add *.f32, *.json, *.r16 to the filter of files.",
+        "In a project of your own: keep its files together in one folder without project.godot and instance main.tscn. "
+        "For a build add *.f32, *.u8, *.json, *.r16, *.png to the filter of files in Project > Export > Resources.",
     ]

@@ -17,7 +17,8 @@ MAKING = 0.9  # of the time that such a map takes; the rest is for its file
 TOP = 255
 
 
-def _stride(level: Level) -> int:
+def stride_of(level: Level) -> int:
+    """Of how many samples of the level these maps have one."""
     return max(1, -(-(max(level.grid.shape) - 1) // (MOST_SIDE - 1)))
 
 
@@ -37,7 +38,7 @@ def ground_weights(level: Level) -> Samples:
     """All eight weights of the ground's materials, in 255ths whose sum is 255."""
     from ...level.ground_cover import cover_weights
 
-    stride = _stride(level)
+    stride = stride_of(level)
     rows, cols = (np.arange(0, n, stride) for n in level.grid.shape)
     cell_m = stride * level.grid.cell_m
 
@@ -61,7 +62,7 @@ def shared_out(shares: np.ndarray) -> np.ndarray:
 def puddles(level: Level) -> Samples | None:
     from ...level.puddles import puddles_m
 
-    stride = _stride(level)
+    stride = stride_of(level)
     depth = puddles_m(level, stride)
     if not depth.any():
         return None

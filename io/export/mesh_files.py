@@ -36,7 +36,9 @@ def write_mesh(job: Job, row: MeshRow, parts: list[Part], off_m: float, place: M
     error_m = max(
         float(np.abs(found.values["POSITION"] - made).max()) for made, found in zip(wanted, back, strict=True)
     )
-    told = [_part(part, found, off_m) for part, found in zip(parts, back, strict=True)]
+    told = [
+        _part(part, found, off_m if part.off_m is None else part.off_m) for part, found in zip(parts, back, strict=True)
+    ]
     return describe_file(
         path,
         map=row.name,

@@ -32,6 +32,7 @@ class Part:
     `colours` `(n, 4)` 0 … 1 or None, `triangles` `(m, 3)` anticlockwise from outside.
 
     A bitangent is normal × tangent and points to falling v. `nodes`: (name, matrix 4 × 4 in world axes) that show it.
+    `off_m`: how far it is off what it stands for, where that is not what all of its file are.
     """
 
     name: str
@@ -43,6 +44,7 @@ class Part:
     triangles: np.ndarray
     nodes: tuple = ()
     upward: bool = True
+    off_m: float | None = None
 
 
 def tangents_for(normals: np.ndarray, way: np.ndarray) -> np.ndarray:

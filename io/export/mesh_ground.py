@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from scipy import ndimage
 
@@ -30,14 +32,26 @@ def terrain_tiles(level: Level) -> tuple[list[Part], float]:
     normals /= np.linalg.norm(normals, axis=-1, keepdims=True)
     size = 2 * 2 ** (LODS - 1) + 1
     skirt_m = float((ndimage.maximum_filter(ground, size) - ndimage.minimum_filter(ground, size)).max()) + 0.1
-    parts = []
+    parts, off_m = [], [_lod_error_m(height, base, 2**lod) for lod in range(LODS)]
     for row in range(0, len(north) - 1, TILE):
         for col in range(0, len(east) - 1, TILE):
             for lod in range(LODS):
                 lines = [_lines(at, count, 2**lod) for at, count in ((row, len(north)), (col, len(east)))]
                 name = f"tile_{row // TILE}_{col // TILE}_lod{lod}"
-                parts.append(_tile(name, lines, (north, east, ground, normals), skirt_m))
-    return parts, meshes.surface_error_m(height, base)
+                tile = _tile(name, lines, (north, east, ground, normals), skirt_m)
+                parts.append(replace(tile, off_m=off_m[lod]))
+    return parts, off_m[0]
+
+
+def _lod_error_m(height: np.ndarray, base: meshes.TerrainMesh, stride: int) -> float:
+    """How far the ground over all tiles of one level of detail is off."""
+    if base.stride * stride == 1:
+        return 0.0
+    rows, cols = (
+        at[np.unique(np.concatenate([_lines(first, len(at), stride) for first in range(0, len(at) - 1, TILE)]))]
+        for at in (base.rows_at, base.cols_at)
+    )
+    return meshes.lattice_error_m(height, rows, cols)
 
 
 def _lines(first: int, count: int, stride: int) -> np.ndarray:

@@ -30,9 +30,9 @@ class MeshRow:
 
 
 def _beach(level: Level) -> tuple[list[Part], float]:
-    """`water` and `sand` over one another, the ground's distance from the sand taken at the triangles' middles."""
+    """`water` and `sand` over one another, the sand's distance from the ground taken at every sample of that."""
+    from ...level.beach_fit import misses
     from ...level.beach_mesh import beach_mesh
-    from ...level.pick import ground_at
 
     made = beach_mesh(level)
     if made is None:
@@ -40,14 +40,13 @@ def _beach(level: Level) -> tuple[list[Part], float]:
     way = np.pad(made.tangent, ((0, 0), (0, 1)))
     same = np.unique(made.xy, axis=0, return_inverse=True)[1].ravel()
     parts = []
-    for name, height in (("water", made.water_m), ("sand", made.ground_m)):
+    off_m = float(misses(level, made.xy, made.triangles)[2].max(initial=0.0))
+    for name, height, off in (("water", made.water_m, 0.0), ("sand", made.ground_m, off_m)):
         positions = np.column_stack([made.xy, height])
         normals = smooth_normals(positions, made.triangles, same)
         tangents = tangents_for(normals, way)
-        parts.append(Part(name, positions, normals, tangents, made.uv, made.colours, made.triangles))
-    middle = made.xy[made.triangles].mean(1)
-    off_m = np.abs(made.ground_m[made.triangles].mean(1) - ground_at(level, *middle.T)).max()
-    return parts, float(off_m)
+        parts.append(Part(name, positions, normals, tangents, made.uv, made.colours, made.triangles, off_m=off))
+    return parts, off_m
 
 
 def _rivers(level: Level) -> tuple[list[Part], float]:

@@ -84,12 +84,14 @@ def quads(rows: int, cols: int) -> np.ndarray:
 
 def surface_error_m(height: np.ndarray, mesh: TerrainMesh) -> float:
     """The largest vertical distance from a sample of the level to the triangles of the mesh."""
-    if mesh.stride == 1:
-        return 0.0
-    shape = len(mesh.rows_at), len(mesh.cols_at)
-    ground = mesh.positions[:, 1].reshape(shape).astype(np.float64)
-    col, u = _cell(mesh.cols_at, height.shape[1])
-    row, v = _cell(mesh.rows_at, height.shape[0])
+    return 0.0 if mesh.stride == 1 else lattice_error_m(height, mesh.rows_at, mesh.cols_at)
+
+
+def lattice_error_m(height: np.ndarray, rows_at: np.ndarray, cols_at: np.ndarray) -> float:
+    """The same of triangles over those rows and columns of the level, as `quads` cuts them."""
+    ground = height[np.ix_(rows_at, cols_at)].astype(np.float64)
+    col, u = _cell(cols_at, height.shape[1])
+    row, v = _cell(rows_at, height.shape[0])
     worst = 0.0
     for at in range(height.shape[0]):
         south, north = ground[row[at]], ground[row[at] + 1]

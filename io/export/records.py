@@ -95,7 +95,9 @@ class MeshPart(Record):
     uv_low: tuple[float, float]
     uv_high: tuple[float, float]
     upward: bool = Field(description="No normal points down: what lies on ground or water.")
-    surface_error_cm: float = Field(ge=0, description="Largest distance of the file's meshes from what they stand for.")
+    surface_error_cm: float = Field(
+        ge=0, description="Largest distance from what it stands for; of tiles that of all at their level of detail."
+    )
 
 
 class FileRecord(Record):

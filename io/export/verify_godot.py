@@ -12,6 +12,7 @@ from . import flow
 from .common import check_common
 from .engine_records import GodotTerrain
 from .godot import EXR_FORMULA, hterrain_layout, terrain3d_layout, terrain_of, words_of
+from .godot_project import SCENE, scene_says
 from .layout import Layout
 from .maps import row_slices
 from .records import FileRecord, Manifest
@@ -49,7 +50,18 @@ def check_godot(manifest: Manifest, whole: dict[str, Path]) -> list[str]:
             findings += _floats(manifest, record, whole, layout)
     for record in own.get("flow", []):
         findings += check_flow(manifest, record, whole, flow.GODOT_FORMULA)
+    findings += _scene(manifest, own.get("project", []), whole)
     return findings + check_common(manifest, whole)
+
+
+def _scene(manifest: Manifest, records: list[FileRecord], whole: dict[str, Path]) -> Iterator[str]:
+    """What the project's scene is told of the level."""
+    for record in records:
+        if record.name == SCENE and record.name in whole:
+            lines = whole[record.name].read_text("utf-8").splitlines()
+            missing = [line for line in scene_says(manifest) if line not in lines]
+            if missing:
+                yield f"{record.name} tells its level another size or range; it should say {missing[0]!r}"
 
 
 def _floats(manifest: Manifest, record: FileRecord, whole: dict[str, Path], layout: Layout) -> Iterator[str]:

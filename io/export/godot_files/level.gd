@@ -11,6 +11,8 @@ const RIPPLES := 256
 @export var size_m := Vector2.ZERO
 @export var cell_m := 1.0
 @export var height_range_m := Vector2.ZERO
+@export var mean_sea_m := 0.0
+@export var cover_cell_m := 1.0
 @export var sea_shader: Shader
 @export var ground_shader: Shader
 @export var absorption_per_m := Vector3.ZERO
@@ -52,7 +54,7 @@ func _process(delta: float) -> void:
 	sea.bring_to(sea_material, time_s)
 	var eye := get_viewport().get_camera_3d()
 	if eye:
-		var step := Rings.step_m(fine_m)
+		var step := Rings.step_m(fine_m * coarse)
 		var place := eye.global_position.snapped(Vector3(step, step, step))
 		for one in drawn:
 			one.global_position = Vector3(place.x, 0, place.z)
@@ -69,6 +71,7 @@ func _hand_ground(stem: String) -> void:
 	var cols := roundi(size_m.x / cell_m) + 1
 	var image := Image.create_from_data(cols, words.size() / 2 / cols, false, Image.FORMAT_RG8, words)
 	sea_material.set_shader_parameter("look_size_m", size_m)
+	sea_material.set_shader_parameter("look_mean_sea_m", mean_sea_m)
 	ground_material.set_shader_parameter("size_m", size_m)
 	ground_material.set_shader_parameter("height_words", ImageTexture.create_from_image(image))
 	ground_material.set_shader_parameter("height_range_m", height_range_m)
@@ -89,6 +92,7 @@ func _hand_looks(stem: String) -> void:
 			image.load_png_from_buffer(FileAccess.get_file_as_bytes(path))
 			ground_material.set_shader_parameter(name, ImageTexture.create_from_image(image))
 			ground_material.set_shader_parameter("has_cover", true)
+			ground_material.set_shader_parameter("cover_cell_m", cover_cell_m)
 
 
 func _ripples() -> ImageTexture:

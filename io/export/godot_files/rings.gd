@@ -6,7 +6,7 @@ const RINGS := 6
 const FAR_M := 12000.0
 
 
-## Side of the largest cells: the mesh moves in steps of two of them, so that no vertex ever leaves its place.
+## Two of the largest cells: the mesh moves in such steps, so that no vertex ever leaves its place.
 static func step_m(fine_m: float) -> float:
 	return fine_m * 2.0 ** RINGS
 
