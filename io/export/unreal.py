@@ -120,9 +120,9 @@ def export(job: Job) -> Manifest:
     pictures = common.write_common(job, STYLE, ("hlsl", "c"))
     weights = write_maps(job, STYLE, weight_rows(layout))
     recipe = _recipe([file.name for file in heights.files], scale, layout) if heights.files else []
+    recipe = _with_layers(recipe, weights.files)
     recipe += [line for file in current.files for line in flow.recipe(file)]
     recipe += common.lines([*current.files, *pictures.files], TEXTURES)
-    recipe += _layer_lines(weights.files)
     return Manifest(
         target="unreal",
         options=job.options,
@@ -169,14 +169,16 @@ def scale_of(layout: Layout, low_m: float, high_m: float) -> UnrealScale:
     )
 
 
-def _layer_lines(weights: list[FileRecord]) -> list[str]:
-    """Where the weights go: the import knows only layers that the landscape's material has."""
+def _with_layers(recipe: list[str], weights: list[FileRecord]) -> list[str]:
+    """The ground's steps with the weights': the import knows only layers that the landscape's material has."""
     named = [(file.map.removeprefix("weight_"), file.name) for file in weights]
     if not named:
-        return []
+        return recipe
     return [
-        "Before the import, the landscape's Material: one whose Landscape Layer Blend has layers named "
-        f"{', '.join(layer for layer, _ in named)}; beside each layer + > Weight-Blended Layer, then its file",
+        "A material whose Landscape Layer Blend has layers named "
+        f"{', '.join(layer for layer, _ in named)}; choose it as Material in the dialog",
+        *recipe,
+        "Layers: beside each + > Weight-Blended Layer, then its file",
         *(f"Layers > {layer}: {name}" for layer, name in named),
     ]
 
