@@ -39,7 +39,7 @@ EXPORTERS: dict[str, Exporter] = {
             "unity",
             "Unity",
             "A square RAW height map for Terrain, the sea at Y 0, with the values to type; current and maps as "
-            "pictures, the current for Crest too.",
+            "pictures, the current for Crest 4 too.",
             unity.MAPS,
             unity.export,
             unity.SIDES,

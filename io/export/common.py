@@ -36,11 +36,12 @@ def write_common(job: Job, style: MapStyle, languages: Iterable[str]) -> Piece:
     return made
 
 
-def lines(files: Iterable[FileRecord]) -> list[str]:
-    """How each of such files is read; of others nothing."""
+def lines(files: list[FileRecord], textures: str = "") -> list[str]:
+    """How each of such files is read, others none; before them `textures`, how pictures are imported, if any is."""
     tellers = dict.fromkeys(map_rows.MAPS, map_line)
     tellers |= dict.fromkeys(mesh_rows.MESHES, mesh_line) | dict.fromkeys(DATA, data_line) | {kit.NAME: kit.kit_line}
-    return [tellers[file.map](file) for file in files if file.map in tellers]
+    told = [tellers[file.map](file) for file in files if file.map in tellers]
+    return [textures, *told] if textures and any(file.width for file in files) else told
 
 
 def check_common(manifest: Manifest, whole: dict[str, Path]) -> list[str]:

@@ -25,6 +25,10 @@ STYLE = MapStyle(deep_png=False, south_positive=True, meshes=PLACES["north-west"
 SIDES = tuple(2**n + 1 for n in range(6, 13))  # HTerrain: 65 … 4097
 MOST = 16384  # Terrain3D: samples a side of a picture
 REGIONS = (64, 128, 256, 512, 1024, 2048)  # and it has 32 regions a side
+TEXTURES = (
+    "Textures, in the Import dock: Compress > Mode Lossless, Detect 3D > Compress To Disabled, Process > Fix Alpha "
+    "Border off, Mipmaps > Generate off; in shaders a sampler without source_color, with repeat_disable"
+)
 R16_FORMULA = "height_m = v / 65535 * (max_m - min_m) + min_m"
 EXR_FORMULA = "height_m = value"
 TERRAIN3D_MAPS = (
@@ -128,7 +132,7 @@ def _manifest(job: Job, layout: Layout, terrain: GodotTerrain, ground, target: s
         import_recipe=[
             *(recipe if heights.files else []),
             *(line for file in current.files for line in flow.recipe(file)),
-            *common.lines(pictures.files),
+            *common.lines([*current.files, *pictures.files], TEXTURES),
         ],
         notes=part_notes(layout, heights.files) + _notes(terrain),
         **describe(

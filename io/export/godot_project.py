@@ -19,7 +19,7 @@ from ...level.water_optics import absorption, backscatter
 from . import common, flow, map_ground
 from .earlier import Piece
 from .engine_records import GodotTerrain
-from .godot import STYLE, range_m, terrain3d_layout, terrain_of, words_of
+from .godot import STYLE, TEXTURES, range_m, terrain3d_layout, terrain_of, words_of
 from .heights import probes, write_heights
 from .job import Job
 from .kit import files as kit
@@ -62,7 +62,11 @@ def export(job: Job) -> Manifest:
         probes=probes(job, layout),
         flow_probes=current.flow_probes,
         map_probes=pictures.map_probes,
-        import_recipe=_recipe() if texts.files else [],
+        import_recipe=[
+            *(_recipe() if texts.files else []),
+            *(line for file in current.files for line in flow.recipe(file)),
+            *common.lines([*current.files, *pictures.files], TEXTURES),
+        ],
         **describe(
             job.level,
             job.name,

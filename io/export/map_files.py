@@ -162,9 +162,10 @@ def map_line(record: FileRecord) -> str:
     )
     more = {k: v for k, v in numbers.items() if k not in ("cell_m", "row_0_y_m")}
     span = "".join(f"; {name} {value:g}" for name, value in more.items())
+    edge = "tiling" if record.map.startswith("weather_") else "clamped"
     return (
         f"{record.name}: {record.width} x {record.height}, a texel every {numbers['cell_m']:g} m, north row first, "
-        f"{record.bit_depth} bits, linear (sRGB off), clamped; {parts}; {record.decode.formula}{span}"
+        f"{record.bit_depth} bits, linear (sRGB off), {edge}; {parts}; {record.decode.formula}{span}"
     )
 
 

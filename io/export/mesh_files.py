@@ -14,6 +14,8 @@ from .mesh_places import NORTH, SEA, MeshPlace
 from .mesh_rows import MESHES, MeshRow
 from .records import Channel, Decode, FileRecord, MeshPart
 
+LEVELS = "; _lod0, _lod1, _lod2 of a tile stand at the same place: show one of them, or make them a group of levels"
+
 
 def write_meshes(job: Job, place: MeshPlace) -> Piece:
     """All chosen meshes that the level has anything of, as `NAME_mesh.glb`, where the target's terrain stands."""
@@ -89,8 +91,10 @@ def mesh_line(record: FileRecord) -> str:
     triangles = sum(part.triangles for part in record.parts)
     masks = "; ".join(f"{c.name[-1]} {c.meaning}" for c in record.channels if c.name.startswith("COLOR_0"))
     uv = next(c.meaning for c in record.channels if c.name == "TEXCOORD_0")
+    off_cm = max((part.surface_error_cm for part in record.parts), default=0.0)
+    thinned = f", up to {off_cm:.3g} cm off what it shows" if off_cm else ""
     return (
-        f"{record.name}: {len(record.parts)} meshes, {triangles} triangles; glTF's axes (Y up, metres), "
+        f"{record.name}: {len(record.parts)} meshes, {triangles} triangles{thinned}; glTF's axes (Y up, metres), "
         f"which importers turn to their engine's, its root where the terrain stands; UV {uv}; vertex colour, linear "
-        f"data, not tint: {masks}"
+        f"data, not tint: {masks}{LEVELS if record.map == 'tiles' else ''}"
     )

@@ -30,11 +30,16 @@ DIVISOR = 65536
 GPU_STEPS = 32766  # Unity's shaders keep a terrain's heights in this many steps
 LEAST_HEIGHT_M = 1.0
 FORMULA = "y_m = v / 65536 * terrain_height_m + position_y_m"
+TEXTURES = (
+    "Textures, in their import settings: sRGB off, Alpha Is Transparency off, Non-Power of 2 None, Generate Mipmaps "
+    "off, Wrap Mode Clamp, Max Size no smaller than the picture, Compression None; for 16 bits and .exr a Format as "
+    "deep (R 16 bit, RGB 48 bit, RGBA Float)"
+)
 STYLE = MapStyle(meshes=PLACES["x-negated"])
 
 
 def crest(level: Level) -> Samples | None:
-    """The current as Crest's *Add Flow Map* reads it: (rg − 0.5) × strength. Floats, for no whole number is 0.5."""
+    """The current as Crest 4's *Add Flow Map* reads it: (rg − 0.5) × strength. Floats, for no whole number is 0.5."""
     made = whole_flow(level)
     if made is None:
         return None
@@ -45,7 +50,7 @@ def crest(level: Level) -> Samples | None:
 OWN: dict[str, MapRow] = {
     "flow_crest": MapRow(
         "flow_crest",
-        "The whole current for Crest's Add Flow Map: velocity = (value - 0.5) * strength, exactly 0.5 where still.",
+        "The whole current for Crest 4's Add Flow Map: velocity = (value - 0.5) * strength, exactly 0.5 where still.",
         (
             Channel(name="east", meaning="current to the east over strength, and a half", unit="", neutral=0.5),
             Channel(name="north", meaning="current to the north over strength, and a half", unit="", neutral=0.5),
@@ -136,7 +141,7 @@ def export(job: Job) -> Manifest:
         import_recipe=[
             *(_recipe([file.name for file in heights.files], terrain, layout) if heights.files else []),
             *(line for file in current.files for line in flow.recipe(file)),
-            *common.lines(pictures.files),
+            *common.lines([*current.files, *pictures.files, *own.files], TEXTURES),
             *(map_line(file) for file in own.files),
             *(_crest_line(file) for file in own.files),
         ],
@@ -169,7 +174,7 @@ def _recipe(names: list[str], terrain: UnityTerrain, layout: Layout) -> list[str
 
 
 def _crest_line(record: FileRecord) -> str:
-    """Where the quad of Crest's flow input lies: texels reach half a cell beyond the samples."""
+    """Where the quad of Crest 4's flow input lies: texels reach half a cell beyond the samples."""
     numbers = record.decode.numbers
     cell_m = numbers["cell_m"]
     middle, wide = ([n * cell_m for n in of] for of in (

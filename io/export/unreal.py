@@ -22,7 +22,7 @@ from .layout import Layout, Tile, lay_out
 from .manifest import describe
 from .map_files import MapStyle, write_maps
 from .mesh_places import PLACES
-from .records import Manifest, Tiles
+from .records import FileRecord, Manifest, Tiles
 from .unreal_weights import weight_rows
 
 MAPS = (
@@ -34,6 +34,10 @@ MAPS = (
 STYLE = MapStyle(south_positive=True, green_down=True, meshes=PLACES["north-west"])
 MID = 32768  # the value of z = 0, which is the sea
 HIGHEST = 256 - 1 / 128  # metres above, and 256 below, at ScaleZ 100
+TEXTURES = (
+    "Pictures for materials: sRGB off, Mip Gen Settings NoMipmaps, X- and Y-axis Tiling Method Clamp; Compression "
+    "Settings VectorDisplacementmap (RGBA8) for 8 bits, HDR High Precision (RGBA32F) for 16 bits and .exr"
+)
 FORMULA = "z_cm = (v - 32768) / 128 * ScaleZ + ActorZ"
 
 
@@ -116,9 +120,9 @@ def export(job: Job) -> Manifest:
     pictures = common.write_common(job, STYLE, ("hlsl", "c"))
     weights = write_maps(job, STYLE, weight_rows(layout))
     recipe = _recipe([file.name for file in heights.files], scale, layout) if heights.files else []
+    recipe = _with_layers(recipe, weights.files)
     recipe += [line for file in current.files for line in flow.recipe(file)]
-    recipe += common.lines(pictures.files)
-    recipe += [f"Layers > {file.map.removeprefix('weight_')}: {file.name}" for file in weights.files]
+    recipe += common.lines([*current.files, *pictures.files], TEXTURES)
     return Manifest(
         target="unreal",
         options=job.options,
@@ -163,6 +167,20 @@ def scale_of(layout: Layout, low_m: float, high_m: float) -> UnrealScale:
         dialog_y_cm=scale_xy * (size.samples - 1) / 2,
         level_part=part,
     )
+
+
+def _with_layers(recipe: list[str], weights: list[FileRecord]) -> list[str]:
+    """The ground's steps with the weights': the import knows only layers that the landscape's material has."""
+    named = [(file.map.removeprefix("weight_"), file.name) for file in weights]
+    if not named:
+        return recipe
+    return [
+        "A material whose Landscape Layer Blend has layers named "
+        f"{', '.join(layer for layer, _ in named)}; choose it as Material in the dialog",
+        *recipe,
+        "Layers: beside each + > Weight-Blended Layer, then its file",
+        *(f"Layers > {layer}: {name}" for layer, name in named),
+    ]
 
 
 def _recipe(names: list[str], scale: UnrealScale, layout: Layout) -> list[str]:

@@ -69,7 +69,7 @@ LANGUAGES = {
     "glsl": Language(".glsl", "GLSL 4.10", lambda source: source.text),
     "hlsl": Language(".hlsl", "HLSL for Unity's and Unreal's includes", _hlsl),
     "godot": Language(".gdshaderinc", "Godot 4 shader include", lambda source: GodotWriter(source.unit).text()),
-    "c": Language(".h", "C99, for floating bodies, minds and servers", _c),
+    "c": Language(".h", "C99, for floating bodies, AI and servers", _c),
 }
 
 
