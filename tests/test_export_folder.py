@@ -7,9 +7,11 @@ import shutil
 from pathlib import Path
 
 import pytest
-from exports import GROUND, read_manifest, rough_level, snapshot
+from exports import GROUND, read_manifest, rough_level, slope_level, snapshot
 from shorewright.io.export import check, export, heights
 from shorewright.level import BadInput
+
+PROJECT = ["project", "height"]
 
 
 def test_export_replaces_its_own_and_only_its_own(tmp_path):
@@ -35,6 +37,29 @@ def test_what_an_engine_lays_beside_our_files_stays(tmp_path):
     export(rough_level(20, seed=2), "godot", out, "height", name="bay")
     assert {name: (out / name).read_bytes() for name in theirs} == theirs
     assert (out / ".godot").is_dir()
+    assert check(out) == []
+
+
+def test_what_somebody_wrote_into_the_project_is_never_lost(tmp_path):
+    """T09: its texts are there to be edited; project.godot, which Godot saves anew, and pictures are written again."""
+    out, edited = tmp_path / "out", ["main.tscn", "sea.gdshader"]
+    export(slope_level(20, 20), "godot-project", out, PROJECT, name="bay")
+    for number, name in enumerate(edited, 1):
+        (out / name).write_text((out / name).read_text("utf-8") + "\n// mine", "utf-8")
+        before = snapshot(out)
+        with pytest.raises(BadInput) as refused:
+            export(slope_level(21, 20), "godot-project", out, PROJECT, name="bay")
+        verb, it = [("was", "it"), ("were", "them")][number - 1]
+        wanted = f"{', '.join(edited[:number])} {verb} changed since the export: move {it} away or name another folder"
+        assert str(refused.value) == wanted
+        with pytest.raises(BadInput, match="changed since"):
+            export(slope_level(20, 20), "godot-project", out, "height", name="bay")
+        assert snapshot(out) == before
+    for name in edited:
+        (out / name).rename(tmp_path / name)
+    (out / "project.godot").write_text("saved by Godot", "utf-8")
+    (out / "bay_height.r16").write_bytes(b"damaged")
+    export(slope_level(21, 20), "godot-project", out, PROJECT, name="bay")
     assert check(out) == []
 
 
