@@ -10,6 +10,7 @@ from shorewright.app.background import Background
 from shorewright.app.cli import main
 from shorewright.io import check, export, image_rows, images, write_level
 from shorewright.io.export import EXPORTERS, Cancelled, follows, maps
+from shorewright.io.export.godot_project import TEXTS
 from shorewright.level import BadInput, Rect
 from shorewright.level.layers import LayerData
 
@@ -95,6 +96,13 @@ def test_what_may_not_be_kept_is_made_anew(tmp_path, monkeypatch, change):
     export(level, "unreal", out, ["height", "snow"], name="bay", **options)
     assert files(out)["height"] != before["height"]
     assert check(out) == []
+
+
+def test_the_code_hash_covers_every_text_of_the_project():
+    """T09: a changed scene or shader is exported anew."""
+    texts = {path for path in TEXTS.iterdir() if path.is_file()}
+    assert {"main.tscn", "project.godot", "sea.gdshader"} <= {path.name for path in texts}
+    assert texts <= set(follows.code_files())
 
 
 # Progress, cancelling, faults
