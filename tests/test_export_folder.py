@@ -32,6 +32,8 @@ def test_what_an_engine_lays_beside_our_files_stays(tmp_path):
     export(rough_level(20), "godot", out, "height", name="bay")
     (out / ".godot").mkdir()
     theirs = {"bay_height.exr.import": b"uid", "bay_height.exr.meta": b"guid", "gone.gd.uid": b"uid"}
+    theirs |= {"export_presets.cfg": b"[preset.0]", ".gitignore": b".godot/", ".gitattributes": b"* text=auto eol=lf"}
+    theirs |= {".editorconfig": b"root = true"}
     for name, data in theirs.items():
         (out / name).write_bytes(data)
     export(rough_level(20, seed=2), "godot", out, "height", name="bay")

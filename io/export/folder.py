@@ -17,8 +17,10 @@ from pathlib import Path
 from ...level import BadInput
 from .manifest import file_sha256, inside, load
 
-JUNK = frozenset({".DS_Store", "Thumbs.db", "desktop.ini", ".godot"})  # file browsers and Godot leave these
-# what Godot and Unity lay beside each file of a project: theirs, it stays
+# what file browsers, Godot (its cache, its builds' settings) and version control leave in a folder: theirs, it stays
+THEIRS = frozenset({".DS_Store", "Thumbs.db", "desktop.ini", ".godot", "export_presets.cfg"})
+THEIRS |= {".gitignore", ".gitattributes", ".editorconfig"}
+# what Godot and Unity lay beside each file of a project
 BESIDE = (".import", ".uid", ".meta")
 # Texts of these maps are there to be edited, so what somebody wrote into them is kept; anything else that differs from
 # its manifest is damage, and is repaired. Godot itself saves project.godot anew when it opens the folder.
@@ -88,7 +90,7 @@ def owned(out: Path, manifest_name: str, target: str) -> list[str]:
     if not out.is_dir():
         raise BadInput(f"{out} is a file; name a folder for the export")
     try:
-        found = {entry.name for entry in out.iterdir() if not entry.name.startswith(PART)} - JUNK
+        found = {entry.name for entry in out.iterdir() if not entry.name.startswith(PART)} - THEIRS
         found = {name for name in found if not name.endswith(BESIDE)}
         listed = _listed(out / manifest_name, target) if found else {}
         edited = sorted(name for name in found & listed.keys() if _edited(out / name, listed[name]))
