@@ -15,7 +15,8 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from ...level import BadInput
-from .manifest import file_sha256, inside, load
+from .manifest import SUFFIX, file_sha256, inside, load
+from .records import SCHEMA
 
 # what file browsers, Godot (its cache, its builds' settings) and version control leave in a folder: theirs, it stays
 THEIRS = frozenset({".DS_Store", "Thumbs.db", "desktop.ini", ".godot", "export_presets.cfg"})
@@ -98,8 +99,7 @@ def owned(out: Path, manifest_name: str, target: str) -> list[str]:
         raise BadInput(f"cannot look into {out}: {error.strerror or error}") from None
     foreign = sorted(found - listed.keys())
     if foreign:
-        shown = ", ".join(foreign[:3]) + (f" and {len(foreign) - 3} more" if len(foreign) > 3 else "")
-        raise BadInput(f"{out} holds things this export did not write ({shown}); name a new or empty folder")
+        raise BadInput(_other_export(out, set(foreign), manifest_name) or _strangers(out, foreign))
     if edited:
         verb, it = ("was", "it") if len(edited) == 1 else ("were", "them")
         raise BadInput(f"{', '.join(edited)} {verb} changed since the export: move {it} away or name another folder")
@@ -115,6 +115,24 @@ def _listed(manifest: Path, target: str) -> dict[str, dict]:
         return {}
     files = {file.get("name"): file for file in data["files"] if isinstance(file, dict)}
     return {name: file for name, file in files.items() if isinstance(name, str) and inside(name)} | {manifest.name: {}}
+
+
+def _other_export(out: Path, foreign: set[str], manifest_name: str) -> str | None:
+    """The sentence on an export of another level or to another target, when it wrote all that is foreign here."""
+    for name in sorted(name for name in foreign | {manifest_name} if name.endswith(SUFFIX)):
+        data, _ = load(out / name)
+        target = data.get("target") if isinstance(data, dict) and data.get("schema") == SCHEMA else None
+        if isinstance(target, str) and inside(target) and foreign <= _listed(out / name, target).keys():
+            thing = "target" if name == manifest_name else "level"
+            return (
+                f"{out} holds the {target} export of {name.removesuffix(SUFFIX)}: give each {thing} a folder of its own"
+            )
+    return None
+
+
+def _strangers(out: Path, foreign: list[str]) -> str:
+    shown = ", ".join(foreign[:3]) + (f" and {len(foreign) - 3} more" if len(foreign) > 3 else "")
+    return f"{out} holds things this export did not write ({shown}); name a new or empty folder"
 
 
 def _edited(path: Path, told: dict) -> bool:
