@@ -198,6 +198,27 @@ def test_command_line_takes_targets_and_their_options(tmp_path, capsys):
         assert snapshot(tmp_path / "out") == before
 
 
+def test_command_line_says_which_maps_the_level_has_nothing_of(tmp_path, capsys):
+    """T09: of those asked for, a line on stderr, and the rest is written."""
+    write_level(slope_level(), tmp_path / "bay.shore")
+    asked = ["export", str(tmp_path / "bay.shore"), "--target", "raw", "-o"]
+    assert main([*asked, str(tmp_path / "some"), "--only", "height,snow", "--only", "foam"]) == 0
+    told = capsys.readouterr()
+    assert told.err == "note: bay has nothing for: foam, snow\n"
+    assert "nothing for" not in told.out
+    assert main([*asked, str(tmp_path / "all"), "--only", "height"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("only", ["", ",", " , "])
+def test_command_line_takes_no_empty_choice(tmp_path, capsys, only):
+    write_level(slope_level(), tmp_path / "bay.shore")
+    out = tmp_path / "out"
+    assert main(["export", str(tmp_path / "bay.shore"), "--target", "raw", "-o", str(out), "--only", only]) == 2
+    assert "--only names no map" in capsys.readouterr().err
+    assert not out.exists()
+
+
 def test_help_names_every_target(capsys):
     assert main(["export", "--help"]) == 0
     told = capsys.readouterr().out
