@@ -129,6 +129,12 @@ def test_unknown_target_and_map_are_refused_with_the_list(tmp_path):
         export(level, "blender", tmp_path / "out")
     with pytest.raises(BadInput, match=r"'sand'.*height, mesh, layers"):
         export(level, "raw", tmp_path / "out", only=["height", "sand"])
+    for target, name, told in (
+        ("raw", "heigth", "'heigth': did you mean height[?]$"),
+        ("unreal", "project", "unreal .*'project': only godot-project has it$"),
+    ):
+        with pytest.raises(BadInput, match=told):
+            export(level, target, tmp_path / "out", only=["flow", name])
     with pytest.raises(BadInput, match="nothing"):
         export(level, "raw", tmp_path / "out", only=[])
     assert not (tmp_path / "out").exists()
