@@ -18,6 +18,9 @@ from .records import Manifest
 Told = Callable[[float, str], object]  # (share done, what comes next); False stops the export
 
 
+STEM_BYTES = 150  # of a file name's 255, the most that file systems take; the rest is for what follows the stem
+
+
 class Cancelled(Exception):  # noqa: N818 - no fault, somebody's wish
     """Whoever was told of the progress wanted no more of it; what was there before is untouched."""
 
@@ -122,5 +125,6 @@ def file_stem(name: str) -> str:
     `4033x4033` in a name would be read by Unreal as a tile index (research, authoring 4), so the x goes.
     """
     stem = re.sub(r"\.shore$", "", name.strip())
-    stem = re.sub(r"[^\w.\- ]", "_", stem).strip(". ")[:100]
+    stem = re.sub(r"[^\w.\- ]", "_", stem).strip(". ")
+    stem = stem.encode()[:STEM_BYTES].decode(errors="ignore")
     return re.sub(r"(?<=\d)[xX](?=\d)", "-", stem) or "level"
