@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -74,9 +75,10 @@ LANGUAGES = {
 
 
 def guard_of(stem: str, ending: str) -> str:
-    """The macro that keeps a file from being read twice."""
+    """The macro that keeps a file from being read twice; a hash where letters alone don't tell the stem."""
     word = "".join(c.upper() if c.isascii() and c.isalnum() else "_" for c in stem)
-    return f"SHOREWRIGHT_{word}_{ending}"
+    apart = "" if word.lower() == stem else f"_{hashlib.sha256(stem.encode()).hexdigest()[:8].upper()}"
+    return f"SHOREWRIGHT_{word}{apart}_{ending}"
 
 
 def head(source: Source, name: str, language: Language) -> str:
