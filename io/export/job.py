@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from pathlib import Path
 
 from ...level import BadInput, Level
-from .beat import hearing
+from ...level.beat import hearing
 from .earlier import Earlier, Piece
 from .engine_records import Options
 from .follows import follows_sha256
