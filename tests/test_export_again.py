@@ -17,7 +17,7 @@ from shorewright.level.layers import LayerData
 SOME = [*GROUND, "normals", "foam", "snow", "weather_map", "river_foam"]
 
 
-LEAST_WORDS = {"walkable": 12, "arrival": 4, "puddles": 4, "cover_weights": 3}
+LEAST_WORDS = {"walkable": 12, "arrival": 4, "puddles": 4, "cover_weights": 3, "kit": 30}
 
 
 def level_with_paint():

@@ -7,13 +7,16 @@ import numpy as np
 import pytest
 from kit_parts import LEVELS, READ, asked, build, placed, plain, put_files, run_c
 from shorewright.io.export import check, export
-from shorewright.io.export.kit import verify
+from shorewright.io.export.kit import measure, verify
+from shorewright.io.export.kit.changes import track_of
+from shorewright.io.export.kit.data import Made, kit_data
 from shorewright.io.export.kit.files import guard_of, sources, text_of
 from shorewright.io.export.kit.parse import parse
 from shorewright.io.export.kit.parts import PARTS
 from shorewright.io.export.kit.reach import pruned
 from shorewright.io.export.kit.source import one_text
 from shorewright.io.export.kit.uniform_docs import meaning
+from shorewright.level import BadInput
 from shorewright.level.waves import surface_at
 
 ALL = ["WAVE_OBJECTS", "WAVE_REGIONS", "PATCHED", "PINS", "RIVERS", "PLUNGE", "TRAVEL_TIME"]
@@ -188,6 +191,34 @@ def test_two_levels_and_two_parts_live_in_one_program(tmp_path):
         assert np.abs(told[:, column] - surface_at(level, 61.0, asks[:, 1], asks[:, 2]).height_m).max() < 1e-3
     assert np.abs(told[:, 0] - told[:, 1]).max() > 0.05
     assert np.array_equal(told[:, 5], np.float32(asks[:, 1]))
+
+
+def test_a_function_that_gives_no_number_is_told_and_not_written(monkeypatch, tmp_path):
+    """T09: NaN at the first time and none later; the largest error may not hide it."""
+    times, off_by = [], measure.off_by
+
+    def spoilt(run, probes):
+        times.append(probes[0]["time_s"])
+        return off_by(run, probes) + (np.nan if len(times) == 2 else 0.0)
+
+    monkeypatch.setattr(measure, "off_by", spoilt)
+    with pytest.raises(BadInput, match=r"^the sea of bay gives values that are no finite numbers"):
+        export(plain(), "raw", tmp_path / "out", name="bay", only="kit")
+    assert len(times) > 2
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_uniform_that_becomes_no_number_is_seen():
+    """T09: neither a track's error nor the comparison with the level takes NaN for 0."""
+
+    def truth(t):
+        return {"u_a": np.float32(np.nan if 0 < t < 4000 else 1.0)}
+
+    track = track_of([0.0, 3999.0, 9000.0, 9001.0], ["u_a"], truth)
+    assert np.isnan(track.error["u_a"])
+    unit = parse("uniform float u_a;\nfloat f() { return u_a; }\n")
+    assert kit_data(plain(), unit, Made(truth, dict, [])).held.keys() == {"u_a"}
+    assert kit_data(plain(), unit, Made(lambda t: truth(0.0), dict, [])).held == {}
 
 
 def test_no_two_names_share_a_guard():
