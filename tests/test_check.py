@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from exports import GROUND, MANIFEST, one, slope_level
 from shorewright import io
+from shorewright.app.cli import main
 from shorewright.io import write_level
 from shorewright.io.export import EXPORTERS, check, export
 from shorewright.io.images import write_image
@@ -40,14 +41,17 @@ def test_reformatted_manifest_is_fine(unreal):
     assert check(unreal) == []
 
 
-def test_nothing_there_is_bad_input(tmp_path):
+def test_nothing_there_is_bad_input(tmp_path, capsys):
     with pytest.raises(BadInput, match="does not exist"):
         check(tmp_path / "nowhere")
     (tmp_path / "picture.png").write_bytes(b"")
     with pytest.raises(BadInput, match="neither"):
         check(tmp_path / "picture.png")
     (tmp_path / "empty").mkdir()
-    one(check(tmp_path / "empty"), "no manifest")
+    assert main(["check", str(tmp_path / "empty")]) == 2
+    assert len(capsys.readouterr().err.splitlines()) == 1
+    with pytest.raises(BadInput, match="no manifest"):
+        check(tmp_path / "empty")
 
 
 # Bytes
@@ -115,7 +119,8 @@ def test_missing_and_second_manifest_are_found(unreal):
     one(check(unreal), "2 manifests")
     for path in unreal.glob("*.json"):
         path.unlink()
-    one(check(unreal), "no manifest")
+    with pytest.raises(BadInput, match="no manifest"):
+        check(unreal)
 
 
 @pytest.mark.parametrize("field", [("waves", "seed"), ("engine", "scale_z"), ("world", "sea_level_m")])

@@ -107,6 +107,9 @@ def test_source_hash_survives_saving(tmp_path):
         ("../../etc", "_.._etc"),
         ("a/b\\c:d", "a_b_c_d"),
         ("coast_4033x4033", "coast_4033-4033"),
+        ("海" * 120, "海" * 50),
+        ("é" * 75 + "海", "é" * 75),
+        ("a" * 149 + "é", "a" * 149),
         (".shore", "level"),
         ("", "level"),
     ],
@@ -129,6 +132,12 @@ def test_unknown_target_and_map_are_refused_with_the_list(tmp_path):
         export(level, "blender", tmp_path / "out")
     with pytest.raises(BadInput, match=r"'sand'.*height, mesh, layers"):
         export(level, "raw", tmp_path / "out", only=["height", "sand"])
+    for target, name, told in (
+        ("raw", "heigth", "'heigth': did you mean height[?]$"),
+        ("unreal", "project", "unreal .*'project': only godot-project has it$"),
+    ):
+        with pytest.raises(BadInput, match=told):
+            export(level, target, tmp_path / "out", only=["flow", name])
     with pytest.raises(BadInput, match="nothing"):
         export(level, "raw", tmp_path / "out", only=[])
     assert not (tmp_path / "out").exists()

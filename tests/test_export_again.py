@@ -10,13 +10,14 @@ from shorewright.app.background import Background
 from shorewright.app.cli import main
 from shorewright.io import check, export, image_rows, images, write_level
 from shorewright.io.export import EXPORTERS, Cancelled, follows, maps
+from shorewright.io.export.godot_project import TEXTS
 from shorewright.level import BadInput, Rect
 from shorewright.level.layers import LayerData
 
 SOME = [*GROUND, "normals", "foam", "snow", "weather_map", "river_foam"]
 
 
-LEAST_WORDS = {"walkable": 12, "arrival": 4, "puddles": 4, "cover_weights": 3}
+LEAST_WORDS = {"walkable": 12, "arrival": 4, "puddles": 4, "cover_weights": 3, "kit": 30}
 
 
 def level_with_paint():
@@ -95,6 +96,13 @@ def test_what_may_not_be_kept_is_made_anew(tmp_path, monkeypatch, change):
     export(level, "unreal", out, ["height", "snow"], name="bay", **options)
     assert files(out)["height"] != before["height"]
     assert check(out) == []
+
+
+def test_the_code_hash_covers_every_text_of_the_project():
+    """T09: a changed scene or shader is exported anew."""
+    texts = {path for path in TEXTS.iterdir() if path.is_file()}
+    assert {"main.tscn", "project.godot", "sea.gdshader"} <= {path.name for path in texts}
+    assert texts <= set(follows.code_files())
 
 
 # Progress, cancelling, faults
@@ -188,6 +196,27 @@ def test_command_line_takes_targets_and_their_options(tmp_path, capsys):
         assert main([*asked, *wrong]) == 2
         assert len(capsys.readouterr().err.splitlines()) == 1
         assert snapshot(tmp_path / "out") == before
+
+
+def test_command_line_says_which_maps_the_level_has_nothing_of(tmp_path, capsys):
+    """T09: of those asked for, a line on stderr, and the rest is written."""
+    write_level(slope_level(), tmp_path / "bay.shore")
+    asked = ["export", str(tmp_path / "bay.shore"), "--target", "raw", "-o"]
+    assert main([*asked, str(tmp_path / "some"), "--only", "height,snow", "--only", "foam"]) == 0
+    told = capsys.readouterr()
+    assert told.err == "note: bay has nothing for: foam, snow\n"
+    assert "nothing for" not in told.out
+    assert main([*asked, str(tmp_path / "all"), "--only", "height"]) == 0
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("only", ["", ",", " , "])
+def test_command_line_takes_no_empty_choice(tmp_path, capsys, only):
+    write_level(slope_level(), tmp_path / "bay.shore")
+    out = tmp_path / "out"
+    assert main(["export", str(tmp_path / "bay.shore"), "--target", "raw", "-o", str(out), "--only", only]) == 2
+    assert "--only names no map" in capsys.readouterr().err
+    assert not out.exists()
 
 
 def test_help_names_every_target(capsys):

@@ -482,7 +482,7 @@ def test_names_stand_for_one_map_each():
         assert not {*row.groups} & {*names}
         assert row.choose("data") == {*NAMES}
         assert row.choose(["data", "height"]) == {*NAMES, "height"}
-        with pytest.raises(BadInput, match="data, "):
+        with pytest.raises(BadInput, match="did you mean data"):
             row.choose("date")
 
 

@@ -7,9 +7,11 @@ import shutil
 from pathlib import Path
 
 import pytest
-from exports import GROUND, read_manifest, rough_level, snapshot
+from exports import GROUND, read_manifest, rough_level, slope_level, snapshot
 from shorewright.io.export import check, export, heights
 from shorewright.level import BadInput
+
+PROJECT = ["project", "height"]
 
 
 def test_export_replaces_its_own_and_only_its_own(tmp_path):
@@ -30,11 +32,36 @@ def test_what_an_engine_lays_beside_our_files_stays(tmp_path):
     export(rough_level(20), "godot", out, "height", name="bay")
     (out / ".godot").mkdir()
     theirs = {"bay_height.exr.import": b"uid", "bay_height.exr.meta": b"guid", "gone.gd.uid": b"uid"}
+    theirs |= {"export_presets.cfg": b"[preset.0]", ".gitignore": b".godot/", ".gitattributes": b"* text=auto eol=lf"}
+    theirs |= {".editorconfig": b"root = true"}
     for name, data in theirs.items():
         (out / name).write_bytes(data)
     export(rough_level(20, seed=2), "godot", out, "height", name="bay")
     assert {name: (out / name).read_bytes() for name in theirs} == theirs
     assert (out / ".godot").is_dir()
+    assert check(out) == []
+
+
+def test_what_somebody_wrote_into_the_project_is_never_lost(tmp_path):
+    """T09: its texts are there to be edited; project.godot, which Godot saves anew, and pictures are written again."""
+    out, edited = tmp_path / "out", ["main.tscn", "sea.gdshader"]
+    export(slope_level(20, 20), "godot-project", out, PROJECT, name="bay")
+    for number, name in enumerate(edited, 1):
+        (out / name).write_text((out / name).read_text("utf-8") + "\n// mine", "utf-8")
+        before = snapshot(out)
+        with pytest.raises(BadInput) as refused:
+            export(slope_level(21, 20), "godot-project", out, PROJECT, name="bay")
+        verb, it = [("was", "it"), ("were", "them")][number - 1]
+        wanted = f"{', '.join(edited[:number])} {verb} changed since the export: move {it} away or name another folder"
+        assert str(refused.value) == wanted
+        with pytest.raises(BadInput, match="changed since"):
+            export(slope_level(20, 20), "godot-project", out, "height", name="bay")
+        assert snapshot(out) == before
+    for name in edited:
+        (out / name).rename(tmp_path / name)
+    (out / "project.godot").write_text("saved by Godot", "utf-8")
+    (out / "bay_height.r16").write_bytes(b"damaged")
+    export(slope_level(21, 20), "godot-project", out, PROJECT, name="bay")
     assert check(out) == []
 
 
@@ -48,12 +75,14 @@ def test_foreign_things_are_never_touched(tmp_path):
     (out / "notes.txt").unlink()
     export(rough_level(8), "unreal", out, name="bay")
     before = snapshot(out)
-    for target, name in (("raw", "bay"), ("unreal", "cove")):
-        with pytest.raises(BadInput, match="did not write"):
+    for target, name, thing in (("raw", "bay", "target"), ("unreal", "cove", "level"), ("raw", "cove", "level")):
+        with pytest.raises(BadInput) as refused:
             export(rough_level(8), target, out, name=name)
+        assert str(refused.value) == f"{out} holds the unreal export of bay: give each {thing} a folder of its own"
     (out / "mine.psd").write_bytes(b"1")
-    with pytest.raises(BadInput, match=r"mine\.psd"):
-        export(rough_level(8), "unreal", out, name="bay")
+    for target, name in (("unreal", "bay"), ("raw", "bay"), ("unreal", "cove")):
+        with pytest.raises(BadInput, match=r"did not write .*mine\.psd|did not write .* more"):
+            export(rough_level(8), target, out, name=name)
     assert snapshot(out) == before | {"mine.psd": b"1"}
     with pytest.raises(BadInput, match="is a file"):
         export(rough_level(8), "unreal", out / "mine.psd")
@@ -116,7 +145,11 @@ def test_killed_while_replacing_is_found_and_repaired(tmp_path, monkeypatch, kil
         patch.setattr(Path, "rename", until_killed)
         patch.setattr(shutil, "rmtree", lambda *_, **__: None)
         export(rough_level(20, seed=2), "unreal", out, GROUND, name="bay")
-    assert (check(out) == []) == (killed_after in (0, 6))
+    if killed_after == 3:  # the old manifest is gone, the new one not there yet
+        with pytest.raises(BadInput, match="no manifest"):
+            check(out)
+    else:
+        assert (check(out) == []) == (killed_after in (0, 6))
     export(rough_level(20, seed=3), "unreal", out, name="bay")
     assert check(out) == []
 

@@ -7,13 +7,16 @@ import numpy as np
 import pytest
 from kit_parts import LEVELS, READ, asked, build, placed, plain, put_files, run_c
 from shorewright.io.export import check, export
-from shorewright.io.export.kit import verify
-from shorewright.io.export.kit.files import Source, sources, text_of
+from shorewright.io.export.kit import measure, verify
+from shorewright.io.export.kit.changes import track_of
+from shorewright.io.export.kit.data import Made, kit_data
+from shorewright.io.export.kit.files import guard_of, sources, text_of
 from shorewright.io.export.kit.parse import parse
 from shorewright.io.export.kit.parts import PARTS
 from shorewright.io.export.kit.reach import pruned
 from shorewright.io.export.kit.source import one_text
 from shorewright.io.export.kit.uniform_docs import meaning
+from shorewright.level import BadInput
 from shorewright.level.waves import surface_at
 
 ALL = ["WAVE_OBJECTS", "WAVE_REGIONS", "PATCHED", "PINS", "RIVERS", "PLUNGE", "TRAVEL_TIME"]
@@ -190,6 +193,43 @@ def test_two_levels_and_two_parts_live_in_one_program(tmp_path):
     assert np.array_equal(told[:, 5], np.float32(asks[:, 1]))
 
 
+def test_a_function_that_gives_no_number_is_told_and_not_written(monkeypatch, tmp_path):
+    """T09: NaN at the first time and none later; the largest error may not hide it."""
+    times, off_by = [], measure.off_by
+
+    def spoilt(run, probes):
+        times.append(probes[0]["time_s"])
+        return off_by(run, probes) + (np.nan if len(times) == 2 else 0.0)
+
+    monkeypatch.setattr(measure, "off_by", spoilt)
+    with pytest.raises(BadInput, match=r"^the sea of bay gives values that are no finite numbers"):
+        export(plain(), "raw", tmp_path / "out", name="bay", only="kit")
+    assert len(times) > 2
+    assert not (tmp_path / "out").exists()
+
+
+def test_a_uniform_that_becomes_no_number_is_seen():
+    """T09: neither a track's error nor the comparison with the level takes NaN for 0."""
+
+    def truth(t):
+        return {"u_a": np.float32(np.nan if 0 < t < 4000 else 1.0)}
+
+    track = track_of([0.0, 3999.0, 9000.0, 9001.0], ["u_a"], truth)
+    assert np.isnan(track.error["u_a"])
+    unit = parse("uniform float u_a;\nfloat f() { return u_a; }\n")
+    assert kit_data(plain(), unit, Made(truth, dict, [])).held.keys() == {"u_a"}
+    assert kit_data(plain(), unit, Made(lambda t: truth(0.0), dict, [])).held == {}
+
+
+def test_no_two_names_share_a_guard():
+    """T09: names that differ in what a macro cannot hold, or in capitals, may lie in one program."""
+    stems = ["my_bay_sea", "my bay_sea", "my-bay_sea", "My_bay_sea", "mü_bay_sea", "m海_bay_sea", "m_bay_sea"]
+    guards = [guard_of(stem, "H") for stem in stems]
+    assert len(set(guards)) == len(stems)
+    assert all(guard.isascii() and guard.isidentifier() for guard in guards)
+    assert guards[0] == "SHOREWRIGHT_MY_BAY_SEA_H"
+
+
 def test_sea_and_sky_share_no_name_in_a_shader():
     """T09: a game may include both in one shader."""
     level = clouded()
@@ -203,7 +243,6 @@ def test_the_same_level_gives_the_same_text(word):
     """T09: no date, no path, no order that changes."""
     one, other = (text_of(sources(clouded(), "bay", "sea"), "bay", word) for _ in range(2))
     assert one == other
-    assert isinstance(sources(clouded(), "bay", "sky"), Source)
 
 
 def test_a_changed_shader_is_exported_anew():

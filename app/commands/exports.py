@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import json
 from pathlib import Path
 from typing import Annotated
 
 from cyclopts import Parameter
 
+from ...level.errors import BadInput
 from .common import LevelPath, progress, put, put_notes, words
 
 STEPS = 1000  # of a whole export, for the bar
@@ -32,6 +34,9 @@ def export(
     from ...io import export as run
     from ...io import read_level
 
+    names = words(only)
+    if only is not None and names is None:
+        raise BadInput("--only names no map: leave it out to export all of them")
     notes: list[str] = []
     found = read_level(level, notes)
     put_notes(notes)
@@ -40,7 +45,7 @@ def export(
             found,
             target,
             output,
-            words(only),
+            names,
             level.resolve().name,
             resample=resample,
             tile=tile,
@@ -48,7 +53,17 @@ def export(
         )
     for path in paths:
         put(str(path))
+    if names:
+        put_notes(_nothing_for(level.resolve().stem, target, names, paths[-1]))
     return 0
+
+
+def _nothing_for(name: str, target: str, names: list[str], manifest: Path) -> list[str]:
+    """A line on the maps that were asked for by name and that the level has nothing of."""
+    from ...io import EXPORTERS
+
+    empty = sorted(EXPORTERS[target].choose(names) & json.loads(manifest.read_text("utf-8"))["empty"].keys())
+    return [f"{name} has nothing for: {', '.join(empty)}"] if empty else []
 
 
 def check(path: Annotated[Path, Parameter(help="The folder of a level or an export.")]) -> int:

@@ -104,7 +104,7 @@ def export(
     if target not in EXPORTERS:
         raise BadInput(f"there is no export target {target!r}; use one of: {', '.join(EXPORTERS)}")
     exporter = EXPORTERS[target]
-    chosen = exporter.choose(only)
+    chosen = exporter.choose(only, EXPORTERS.values())
     options = exporter.options(resample, tile)
     if not np.isfinite(level.height).all():
         raise BadInput("the height of this level holds values that are no numbers; fill them before exporting")

@@ -17,7 +17,7 @@ from ...level import Level
 from .manifest import layer_digest, source_sha256
 
 ROOMS = ("level", "io")  # all that an exporter calls
-CODE = (".py", ".glsl", ".gd", ".gdshader")
+CODE = (".py", ".glsl", ".gd", ".gdshader", ".tscn", ".godot")
 
 
 def follows_sha256(level: Level, asked: list[str], layers: tuple[str, ...], known: dict[str, str]) -> str:

@@ -8,8 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
+from ...level.beat import beat
 from . import maps
-from .beat import beat
 from .earlier import Piece
 from .job import Job
 from .layout import Layout, Tile, resampling

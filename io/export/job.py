@@ -5,16 +5,20 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
+from difflib import get_close_matches
 from pathlib import Path
 
 from ...level import BadInput, Level
-from .beat import hearing
+from ...level.beat import hearing
 from .earlier import Earlier, Piece
 from .engine_records import Options
 from .follows import follows_sha256
 from .records import Manifest
 
 Told = Callable[[float, str], object]  # (share done, what comes next); False stops the export
+
+
+STEM_BYTES = 150  # of a file name's 255, the most that file systems take; the rest is for what follows the stem
 
 
 class Cancelled(Exception):  # noqa: N818 - no fault, somebody's wish
@@ -80,18 +84,26 @@ class Exporter:
     tiles: bool = False
     groups: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
-    def choose(self, only: Iterable[str] | str | None) -> frozenset[str]:
-        """The names in `only`, all of them for None; BadInput lists the names when one is unknown."""
+    def choose(self, only: Iterable[str] | str | None, others: Iterable[Exporter] = ()) -> frozenset[str]:
+        """The names in `only`, all of them for None; BadInput tells a near name, or who of `others` has it."""
         names = [name for name, _ in self.maps]
         asked = names if only is None else [only] if isinstance(only, str) else list(only)
+        if not asked:
+            raise BadInput(f"nothing was chosen for the {self.name} export")
         wanted = [name for word in asked for name in self.groups.get(word, (word,))]
-        unknown = [name for name in wanted if name not in names]
-        if unknown or not wanted:
-            asked = ", ".join(map(repr, unknown)) or "nothing"
-            raise BadInput(
-                f"the {self.name} export has no map called {asked}; it has: {', '.join([*self.groups, *names])}"
-            )
+        unknown = next((name for name in wanted if name not in names), None)
+        if unknown is not None:
+            raise BadInput(f"the {self.name} export has no map called {unknown!r}{self._hint(unknown, others)}")
         return frozenset(wanted)
+
+    def _hint(self, unknown: str, others: Iterable[Exporter]) -> str:
+        """The end of the sentence on an unknown map: who has it, what is near, else all there is."""
+        having = [row.name for row in others if unknown in (name for name, _ in row.maps)]
+        if having:
+            return f": only {' and '.join(having)} {'has' if len(having) == 1 else 'have'} it"
+        known = [*self.groups, *(name for name, _ in self.maps)]
+        near = get_close_matches(unknown, known, 1)
+        return f": did you mean {near[0]}?" if near else f"; it has: {', '.join(known)}"
 
     def options(self, resample: bool, tile: int | None) -> Options:
         """Both, if this target knows them; BadInput says why not."""
@@ -113,5 +125,6 @@ def file_stem(name: str) -> str:
     `4033x4033` in a name would be read by Unreal as a tile index (research, authoring 4), so the x goes.
     """
     stem = re.sub(r"\.shore$", "", name.strip())
-    stem = re.sub(r"[^\w.\- ]", "_", stem).strip(". ")[:100]
+    stem = re.sub(r"[^\w.\- ]", "_", stem).strip(". ")
+    stem = stem.encode()[:STEM_BYTES].decode(errors="ignore")
     return re.sub(r"(?<=\d)[xX](?=\d)", "-", stem) or "level"

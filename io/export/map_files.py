@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from .beat import beat
+from ...level.beat import beat
 from .codes import CODES, decoded, encoded
 from .earlier import Piece
 from .job import Job

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from ...level import Level
-from .beat import beat
+from ...level.beat import beat
 from .map_makers import Rows, Samples, kept, spooled
 from .maps import row_slices
 

@@ -11,8 +11,8 @@ from functools import cache
 import numpy as np
 
 from ...level import Level
+from ...level.beat import beat
 from ...level.ground_materials import MATERIALS
-from .beat import beat
 from .layout import Layout
 from .map_ground import MAKING, TOP, ground_weights, shared_out
 from .map_makers import MapRow, Rows, Samples, spooled

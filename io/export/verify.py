@@ -30,7 +30,7 @@ HEIGHT_MAPS = (".r16", ".raw")
 
 
 def check(path: str | Path) -> list[str]:
-    """What is wrong with an export or a level, one sentence each; [] when all is well. BadInput: nothing there."""
+    """What is wrong with an export or a level, one sentence each; [] when all is well. BadInput: neither is there."""
     path = Path(path)
     if not path.exists():
         raise BadInput(f"{path} does not exist")
@@ -46,10 +46,10 @@ def check(path: str | Path) -> list[str]:
 
 
 def check_export(folder: Path) -> list[str]:
-    """Every manifest in a folder and the files it lists."""
+    """Every manifest in a folder and the files it lists; BadInput where there is none."""
     manifests = sorted(entry for entry in folder.iterdir() if entry.name.endswith(SUFFIX))
     if not manifests:
-        return [f"{folder} is no level and has no manifest (NAME{SUFFIX}), so what is in it cannot be checked"]
+        raise BadInput(f"{folder} is no level and has no manifest (NAME{SUFFIX}), so what is in it cannot be checked")
     findings = [] if len(manifests) == 1 else [f"{folder} has {len(manifests)} manifests; an export has one"]
     for path in manifests:
         findings += _check_manifest(folder, path)

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from ....level import Level
+from ....level.beat import beat
 from .changes import NO_TRACK, Tide, Track, knots_of, tide_of, track_of
 from .phases import Phase
 from .tree import Unit
@@ -103,10 +104,11 @@ def _differing(data: KitData, truth: Callable[[float], dict], knots: list[float]
     times = [0.3 * tide_s, 0.55 * tide_s, 3600.25, *[t + 0.37 for t in knots[::5]], *[t + 1.0 for t in knots[-1:]]]
     found: dict[str, None] = {}
     for t in times:
+        beat()
         ours, its = uniforms_at(data, t), truth(t)
         wraps = {phase.uniform: phase.scale for phase in data.phases}
         for name in ours.keys() - set(CLOCK):
-            if _apart(ours[name], its[name], wraps.get(name, 0.0)) > off:
+            if not _apart(ours[name], its[name], wraps.get(name, 0.0)) <= off:  # NaN is apart too
                 found[name] = None
     return sorted(found)
 

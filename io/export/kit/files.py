@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import json
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -9,6 +10,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from ....level import BadInput
+from ....level.beat import beat
 from ..job import Job
 from ..manifest import describe_file
 from ..records import Decode, FileRecord
@@ -74,9 +77,10 @@ LANGUAGES = {
 
 
 def guard_of(stem: str, ending: str) -> str:
-    """The macro that keeps a file from being read twice."""
+    """The macro that keeps a file from being read twice; a hash where letters alone don't tell the stem."""
     word = "".join(c.upper() if c.isascii() and c.isalnum() else "_" for c in stem)
-    return f"SHOREWRIGHT_{word}_{ending}"
+    apart = "" if word.lower() == stem else f"_{hashlib.sha256(stem.encode()).hexdigest()[:8].upper()}"
+    return f"SHOREWRIGHT_{word}{apart}_{ending}"
 
 
 def head(source: Source, name: str, language: Language) -> str:
@@ -120,8 +124,10 @@ def _write_part(job: Job, name: str, languages: Iterable[str]) -> list[FileRecor
     source = sources(job.level, job.name, name)
     told = numbers(source)
     error, unit = measured(source, told["probes"])
+    text = _finite_json(told, error, f"the {name} of {job.name}")
     records = []
     for word in languages:
+        beat()
         path = job.folder / f"{source.stem}{LANGUAGES[word].suffix}"
         path.write_text(text_of(source, job.name, word), "utf-8", newline="\n")
         records.append(_record(path, "text", 8, f"source in {LANGUAGES[word].doc}", error, unit))
@@ -132,15 +138,24 @@ def _write_part(job: Job, name: str, languages: Iterable[str]) -> list[FileRecor
         blob = job.folder / f"{source.stem}{suffix}"
         blob.write_bytes(b"".join(values.tobytes() for values in maps))
         back = np.frombuffer(blob.read_bytes(), kind)
-        off = max(float(np.abs(a - b.ravel()).max()) for a, b in zip(_cut(back, maps), maps, strict=True))
+        off = float(np.max([np.abs(a - b.ravel()).max() for a, b in zip(_cut(back, maps), maps, strict=True)]))
         formula = "maps one after another, as the .json lists them, south row first" + (
             "; v / 255" if suffix == ".u8" else ""
         )
         bits = maps[0].dtype.itemsize * 8
         records.append(_record(blob, "float32" if bits == 32 else "uint8", bits, formula, off, "as stored"))
     path = job.folder / f"{source.stem}.json"
-    path.write_text(json.dumps(told, indent=1, allow_nan=False) + "\n", "utf-8", newline="\n")
+    path.write_text(text, "utf-8", newline="\n")
     return [*records, _record(path, "text", 8, "value = as written", error, unit)]
+
+
+def _finite_json(told: dict, error: float, what: str) -> str:
+    """A part's json; BadInput when one of its numbers or the measured error is none."""
+    try:
+        json.dumps(error, allow_nan=False)
+        return json.dumps(told, indent=1, allow_nan=False) + "\n"
+    except ValueError:
+        raise BadInput(f"{what} gives values that are no finite numbers, so its kit cannot be written") from None
 
 
 def _cut(back: np.ndarray, maps: list[np.ndarray]) -> list[np.ndarray]:

@@ -6,6 +6,7 @@ from itertools import groupby
 
 import numpy as np
 
+from ....level.beat import beat
 from .data import uniforms_at
 from .files import Source
 from .run import Run
@@ -14,12 +15,16 @@ DIGITS_M = 1e5  # told to a hundredth of a millimetre, rounded up: machines diff
 
 
 def measured(source: Source, probes: list[dict]) -> tuple[float, str]:
-    """The largest difference at the probes and its unit; of the sea metres along an axis, of the sky a map's share."""
+    """The largest difference at the probes and its unit; of the sea metres along an axis, of the sky a map's share.
+
+    NaN where a function gives one.
+    """
     worst = 0.0
     for t, group in groupby(probes, lambda probe: probe["time_s"]):
+        beat()
         here = list(group)
         run = Run(source.unit, uniforms_at(source.data, t), source.data.maps, len(here))
-        worst = max(worst, float(np.abs(off_by(run, here)).max()))
+        worst = np.maximum(worst, np.abs(off_by(run, here)).max())  # max() would drop a NaN
     return float(np.ceil(worst * DIGITS_M) / DIGITS_M), "m" if "position" in probes[0] else "of 1"
 
 

@@ -35,11 +35,6 @@ def numbers(source: Source) -> dict:
     }
 
 
-def _meaning(name: str) -> dict:
-    unit, doc = meaning(name)
-    return {"unit": unit, "doc": doc}
-
-
 def _clock(source: Source) -> dict:
     data = source.data
     if not data.clock_hz:

@@ -11,6 +11,7 @@ import numpy as np
 from ....level import Level
 from ....level.arrival import arrival
 from ....level.beach_map import beach_map
+from ....level.beat import beat
 from ....level.flow import current
 from ....level.foam_uniforms import CAP_STEPS, foam_uniforms
 from ....level.loop import CAP_LIFE_S, FOAM_CYCLES, looped, turns
@@ -154,6 +155,7 @@ def sea_probes(data: KitData) -> list[dict]:
     east, north = data.level.grid.extent_m
     found = []
     for t in PROBE_TIMES_S[: 1 if data.held.keys() - {"u_current"} else None]:
+        beat()
         x = np.float32(rng.uniform(0, east, PROBES_A_TIME)).astype(np.float64)
         y = np.float32(rng.uniform(0, north, PROBES_A_TIME)).astype(np.float64)
         sea = surface_at(data.level, t, x, y)

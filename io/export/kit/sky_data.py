@@ -7,6 +7,7 @@ from functools import lru_cache
 import numpy as np
 
 from ....level import Level
+from ....level.beat import beat
 from ....level.cloud_air import air_uniforms
 from ....level.cloud_noise import CLOUD_NOISES, SEED
 from ....level.cloud_profile import profile_table
@@ -113,6 +114,7 @@ def sky_probes(data: KitData) -> list[dict]:
     rng = np.random.default_rng(12)
     camera, found = tuple(data.values["u_cloud_camera"].tolist()), []
     for t in PROBE_TIMES_S[: 1 if data.held else None]:
+        beat()
         at = np.float32(rng.uniform(-0.5 * TILE_M, 0.5 * TILE_M, (PROBES_A_TIME, 2)) + camera).astype(np.float64)
         sky = weather_at(data.level, t, at[:, 0], at[:, 1], camera)
         found += [

@@ -18,7 +18,6 @@ from .files import FORMATS, NAME
 
 SOURCES = (".h", ".hlsl", ".glsl", ".gdshaderinc")
 KINDS = {told: kind for kind, told in FORMATS.items()}
-MOST_SAMPLES = 2_000_000_000
 ROUNDED = 1e-6  # of a number's size: what float32 and nine digits leave of it
 
 
