@@ -79,7 +79,7 @@ def test_files_by_dialog(drive):
     assert found["suggested"].endswith("other_raw")
     assert any(name.endswith(".glb") for name in found["exported"])
     assert found["all_maps"] == "all"
-    assert "no map called nothing" in found["no_map"]
+    assert "nothing was chosen" in found["no_map"]
     assert found["two_maps"].startswith("2 of ")
     assert not any(name.endswith(".png") for name in found["exported"])
     assert found["frames"] < 4000
