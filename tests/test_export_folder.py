@@ -65,6 +65,16 @@ def test_what_somebody_wrote_into_the_project_is_never_lost(tmp_path):
     assert check(out) == []
 
 
+def test_an_export_never_goes_into_a_level(tmp_path):
+    """T10: a level's folder holds the level alone."""
+    home = tmp_path / "bay.shore"
+    home.mkdir()
+    for out in (home, home / "build" / "deep"):
+        with pytest.raises(BadInput, match=r"bay\.shore: name a folder beside it"):
+            export(rough_level(8), "raw", out, "height", name="bay")
+    assert snapshot(home) == {}
+
+
 def test_foreign_things_are_never_touched(tmp_path):
     out = tmp_path / "out"
     out.mkdir()

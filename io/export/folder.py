@@ -41,6 +41,9 @@ def staged(out: Path, manifest_name: str, target: str) -> Iterator[Path]:
     from filelock import FileLock
 
     out = out.resolve()
+    level = next((home for home in (out, *out.parents) if home.suffix == ".shore"), None)
+    if level:
+        raise BadInput(f"{out} lies in the level {level.name}: name a folder beside it")
     owned(out, manifest_name, target)
     fresh = not out.exists()
     home = out.parent if fresh else out
